@@ -1,0 +1,44 @@
+// A parallel loop whose result does not depend on the number of threads: the body may only write what its
+// index owns.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+
+namespace hbr {
+
+class Workers {
+ public:
+  // threads >= 1; 1 runs everything in the calling thread.
+  explicit Workers(int threads) : threads_(threads), arena_(threads) {}
+
+  int threads() const { return threads_; }
+
+  // body(begin, end) over disjoint ranges that cover [0, n), each at least `grain` long except where n ends.
+  template <class Body>
+  void for_ranges(std::size_t n, std::size_t grain, Body&& body) {
+    if (n == 0) return;
+    if (threads_ == 1) return body(std::size_t{0}, n);
+    arena_.execute([&] {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
+                        [&](const tbb::blocked_range<std::size_t>& r) { body(r.begin(), r.end()); });
+    });
+  }
+
+  // body(index) for every index in [0, n).
+  template <class Body>
+  void for_each(std::size_t n, Body&& body) {
+    for_ranges(n, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) body(i);
+    });
+  }
+
+ private:
+  int threads_;
+  tbb::task_arena arena_;
+};
+
+}  // namespace hbr

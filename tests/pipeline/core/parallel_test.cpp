@@ -1,0 +1,31 @@
+#include "pipeline/core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <vector>
+
+namespace hbr {
+namespace {
+
+TEST(Workers, EveryIndexOnceForAnyNumberOfThreads) {
+  for (const int threads : {1, 2, 5}) {
+    Workers workers(threads);
+    std::vector<std::atomic<int>> visits(1001);
+    workers.for_each(visits.size(), [&](std::size_t i) { ++visits[i]; });
+    for (const auto& v : visits) EXPECT_EQ(v, 1);
+    workers.for_each(0, [](std::size_t) { FAIL() << "an empty loop has no body"; });
+  }
+}
+
+TEST(Workers, AnExceptionReachesTheCaller) {
+  Workers workers(2);
+  EXPECT_THROW(workers.for_each(10,
+                                [](std::size_t i) {
+                                  if (i == 7) throw std::runtime_error("seven");
+                                }),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace hbr
