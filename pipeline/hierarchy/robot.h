@@ -6,11 +6,11 @@
 
 namespace hbr {
 
-// Where the pen is, in the drawing frame: the planar arm's workspace, centred at its base, in metres. A robot that
-// draws on a plane of its own space maps that plane onto the frame by a similarity.
+// Where the pen is, in the drawing frame: the planar arm's workspace, centred at its base, in metres. A robot
+// that draws on a plane of its own space maps that plane onto the frame by a similarity.
 struct Pen {
   Eigen::Vector2d position;  // m, in the drawing frame
-  double off_plane = 0;      // m, signed distance from the drawing plane, in the robot's own scale; 0 for the arm
+  double off_plane = 0;  // m, signed distance from the drawing plane, in the robot's own scale; 0 for the arm
 };
 
 class Robot {

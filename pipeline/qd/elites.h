@@ -1,4 +1,5 @@
-// The elites of a repertoire as plain arrays: what a finished layer hands to the next, and what its file holds.
+// The elites of a repertoire as plain arrays: what a finished layer hands to the next, and what its file
+// holds.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +19,7 @@ struct Elites {
   Rows measures;                     // [n x d] descriptor
   std::vector<std::int64_t> id;      // [n] ascending: the order in which elites were born
   std::vector<std::int64_t> parent;  // [n] id of the parent, -1 for an elite drawn at random
-  Eigen::VectorXf uncertainty;       // [n] mean distance of the samples to the stochastic descriptor, or empty
+  Eigen::VectorXf uncertainty;  // [n] mean distance of the samples to the stochastic descriptor, or empty
 
   Eigen::Index size() const { return measures.rows(); }
 };

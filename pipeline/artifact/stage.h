@@ -1,0 +1,62 @@
+// A stage: artifacts in, one artifact out. The main of a stage program is
+//
+//   int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Layer 1: points", run); }
+//
+// with void run(hbr::StageRun& stage). The runner calls
+//
+//   PROGRAM --root OUT --slice SLICE --output PATH --checkpoint PATH --threads N
+//
+// where the slice (JSON) holds "stage", "name", "settings", "inputs" (name -> path below OUT) and "output".
+// InputError ends the program with one line on stderr and exit code 2.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "pipeline/artifact/settings.h"
+
+namespace hbr {
+
+class StageRun {
+ public:
+  const std::string& stage() const { return stage_; }  // the program's task: "layer2_n10"
+  const std::string& name() const { return name_; }    // this instance: "layer2_n10/03"
+  const nlohmann::json& settings() const { return settings_; }
+  // The slice as text, to be kept as an attribute of the artifact.
+  std::string settings_text() const { return settings_.dump(); }
+
+  // The artifact of that name; throws InputError where the slice or the disk has none.
+  std::filesystem::path input(const std::string& name) const;
+  bool has_input(const std::string& name) const;
+  // All inputs' names, sorted.
+  std::vector<std::string> inputs() const;
+
+  // Where to write: a temporary name that the runner renames when the program succeeds. A stage that leaves a
+  // folder makes it itself.
+  const std::filesystem::path& output() const { return output_; }
+  // Where state may be kept that a killed run goes on from; gone when the stage succeeds.
+  const std::filesystem::path& checkpoint() const { return checkpoint_; }
+  int threads() const { return threads_; }
+
+  // Tells how far the run is: rate and time left, on a terminal one line that changes, else a line now and
+  // then. Cheap enough to call for every generation.
+  void progress(std::int64_t done, std::int64_t total, const char* unit);
+
+ private:
+  friend int stage_main(int, char**, const char*, const std::function<void(StageRun&)>&);
+  StageRun() = default;
+
+  std::string stage_, name_;
+  nlohmann::json settings_, inputs_;
+  std::filesystem::path root_, output_, checkpoint_;
+  int threads_ = 1;
+  double started_ = 0, last_shown_ = 0;
+  std::int64_t first_done_ = -1;
+};
+
+int stage_main(int argc, char** argv, const char* summary, const std::function<void(StageRun&)>& run);
+
+}  // namespace hbr
