@@ -1,0 +1,96 @@
+// Layer 3, arcs: five lines of layer 2 in a row.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "pipeline/hierarchy/arc_geometry.h"
+#include "pipeline/hierarchy/line_layer.h"
+
+namespace hbr {
+
+using ArcLines = std::array<Eigen::Vector2d, kArcSegments>;  // displacements wanted of layer 2, m
+
+// A controller decodes a genome into the five displacements.
+struct ArcController {
+  int genes;
+  ArcLines (*decode)(const Frame&, const float* genes);
+};
+// "lines" (the paper's first controller): ten genes, five displacements in layer 2's range.
+// "turn" (the second): heading in [-pi, pi], length of every segment in [0, rho], turn in [-pi, pi] between
+// segments.
+ArcController arc_controller(const std::string& name);
+
+// The layer-1 elites at the six way-points of an arc executed through layers 2 and 1 from the elite `start`.
+using ArcWaypoints = std::array<std::int32_t, kArcSegments + 1>;
+ArcWaypoints arc_waypoints(const PointLayer& points, const LineLayer& lines, const ArcLines& wanted,
+                           std::int32_t start);
+ArcPoints pen_positions(const PointLayer& points, const ArcWaypoints& waypoints);
+
+// Mean over the five way-points after the start of a cost of the elites' joints, rad^2 (J with
+// joint_variance).
+double mean_joint_cost(const PointLayer& points, const ArcWaypoints& waypoints, JointCost cost);
+
+// The finished layer.
+class ArcLayer {
+ public:
+  ArcLayer(const Elites& elites, const Frame& frame, ArcController controller);
+  Eigen::Index size() const { return table_.size(); }
+  const ArcLines& lines(std::int32_t elite) const { return lines_[elite]; }
+  // The elite nearest to a descriptor (C, Lambda) in [0, 1]^3.
+  std::int32_t nearest(const Eigen::Vector3d& descriptor) const {
+    const Eigen::Vector3f d = descriptor.cast<float>();
+    return table_.nearest(d.data());
+  }
+
+ private:
+  NearestTable<3> table_;
+  std::vector<ArcLines> lines_;
+};
+
+// Genome -> stochastic descriptor (C, Lambda) over `samples` starts; the fitness is that of the sample
+// nearest to the median: -(100 var |V_i| + var b_i + J).
+class ArcEvaluator final : public Evaluator {
+ public:
+  ArcEvaluator(const PointLayer& points, const LineLayer& lines, const Frame& frame, ArcController controller,
+               int samples);
+  int descriptor_size() const override { return 3; }
+  bool stochastic() const override { return true; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
+
+  // The same for one genome, with the way-points of the sample nearest to the median.
+  struct Outcome {
+    Eigen::Vector3d descriptor;
+    double uncertainty;
+    ArcWaypoints waypoints;
+    double irregularity;  // the first two terms of the fitness, positive
+    double joint_cost;    // J
+    double fitness() const { return -(irregularity + joint_cost); }
+  };
+  Outcome execute(const float* genome, Rng& rng) const;
+
+ private:
+  const PointLayer& points_;
+  const LineLayer& lines_;
+  Frame frame_;
+  ArcController controller_;
+  int samples_;
+};
+
+// The flat baseline (paper, section 5.4): five configurations of all joints, from the straight arm (all
+// joints at the middle of their range).
+class FlatArcEvaluator final : public Evaluator {
+ public:
+  FlatArcEvaluator(const Robot& robot, const Frame& frame);
+  int genes() const { return kArcSegments * static_cast<int>(robot_.dof()); }
+  int descriptor_size() const override { return 3; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
+
+ private:
+  const Robot& robot_;
+  Frame frame_;
+  Eigen::Vector2d start_;
+};
+
+}  // namespace hbr

@@ -1,0 +1,37 @@
+// The drawing area and the ranges of the layers' descriptors: metres to [0, 1] and back.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace hbr {
+
+struct Frame {
+  double half_side;     // L, m: the drawing area is [-L, L]^2
+  double longest_line;  // rho, m: the longest displacement that a line may ask for
+  int segments = 5;     // lines of an arc (paper, section 4.3)
+
+  double longest_arc() const { return segments * longest_line; }  // m
+
+  // Layer 1: position P [m] <-> descriptor.
+  Eigen::Vector2d point_descriptor(const Eigen::Vector2d& p) const {
+    return (p.array() + half_side) / (2 * half_side);
+  }
+  Eigen::Vector2d point(const Eigen::Vector2d& descriptor) const {
+    return descriptor.array() * 2 * half_side - half_side;
+  }
+  // Layer 2: displacement V [m] <-> descriptor.
+  Eigen::Vector2d line_descriptor(const Eigen::Vector2d& v) const {
+    return v.array() / (2 * longest_line) + 0.5;
+  }
+  Eigen::Vector2d line(const Eigen::Vector2d& descriptor) const {
+    return (descriptor.array() - 0.5) * 2 * longest_line;
+  }
+};
+
+// The vector, shortened to `most` where it is longer.
+inline Eigen::Vector2d at_most(const Eigen::Vector2d& v, double most) {
+  const double length = v.norm();
+  return length > most ? Eigen::Vector2d(v * (most / length)) : v;
+}
+
+}  // namespace hbr

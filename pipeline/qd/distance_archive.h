@@ -1,0 +1,24 @@
+// The unstructured archive of archive-curiosity (Cully and Demiris 2017, section III-B; the paper's appendix
+// gives l and epsilon): elites keep a distance of (1 - epsilon) l; a candidate closer than l to one elite may
+// replace it when it epsilon-dominates it in quality and novelty.
+#pragma once
+
+#include <memory>
+
+#include "pipeline/qd/repertoire.h"
+
+namespace hbr {
+
+struct DistanceArchiveSettings {
+  float spacing;   // l, in descriptor units; > 0
+  float epsilon;   // in [0, 1)
+  int neighbours;  // k of the novelty score; 1 to 32
+  float low;       // range of the descriptor, the same in every dimension
+  float high;
+};
+
+// descriptor_size: 1 to 8. Equal distances are settled in favour of the elite in the lower slot.
+std::unique_ptr<Repertoire> make_distance_archive(int genes, int descriptor_size,
+                                                  const DistanceArchiveSettings& settings);
+
+}  // namespace hbr

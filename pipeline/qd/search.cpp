@@ -1,0 +1,109 @@
+#include "pipeline/qd/search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace {
+// Children that one task evaluates: enough for the vectors and the network's batches, few enough to balance.
+constexpr std::size_t kGrain = 25;
+}  // namespace
+
+Search::Search(Repertoire& repertoire, Selector& selector, const Variation& variation,
+               const Evaluator& evaluator, const SearchSettings& settings, Seed seed)
+    : repertoire_(repertoire),
+      selector_(selector),
+      variation_(variation),
+      evaluator_(evaluator),
+      settings_(settings),
+      seed_(seed),
+      batch_(settings.batch, variation.genes(), evaluator.descriptor_size()),
+      parent_slot_(settings.batch, kNoSlot),
+      parent_id_(settings.batch, -1) {
+  HBR_CHECK(settings.generations > 0 && settings.batch > 0 && settings.record_every > 0, "{} x {}, every {}",
+            settings.generations, settings.batch, settings.record_every);
+}
+
+void Search::step(Workers& workers) {
+  select_parents();
+  breed(workers);
+  evaluate(workers);
+  add();
+  ++generation_;
+  if (generation_ % settings_.record_every == 0 || done()) record();
+}
+
+void Search::select_parents() {
+  Rng rng(seed_.child("selection").child(generation_));
+  for (int i = 0; i < settings_.batch; ++i) {
+    const bool at_random = generation_ == 0 || repertoire_.size() == 0;
+    parent_slot_[i] = at_random ? kNoSlot : selector_.draw(repertoire_.size(), rng);
+    parent_id_[i] = at_random ? -1 : repertoire_.store().id(parent_slot_[i]);
+  }
+}
+
+void Search::breed(Workers& workers) {
+  const Seed seed = seed_.child("variation").child(generation_);
+  const EliteStore& store = repertoire_.store();
+  workers.for_ranges(settings_.batch, kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Rng rng(seed.child(i));
+      float* child = batch_.genome.row(i).data();
+      const Slot p = parent_slot_[i];
+      batch_.length[i] = p == kNoSlot ? variation_.sample(child, rng)
+                                      : variation_.vary(store.genome(p), store.length(p), child, rng);
+    }
+  });
+}
+
+void Search::evaluate(Workers& workers) {
+  const Seed seed = seed_.child("evaluation").child(generation_);
+  workers.for_ranges(settings_.batch, kGrain, [&](std::size_t begin, std::size_t end) {
+    evaluator_.evaluate(batch_, begin, end, seed);
+  });
+}
+
+void Search::add() {
+  for (int i = 0; i < settings_.batch; ++i) {
+    Added added{Outcome::kRejected, kNoSlot};
+    if (batch_.valid[i]) {
+      HBR_CHECK(batch_.descriptor.row(i).allFinite() && std::isfinite(batch_.fitness[i]),
+                "generation {}, child {}: descriptor or fitness is not finite", generation_, i);
+      added = repertoire_.add({batch_.genome.row(i).data(), batch_.length[i], batch_.descriptor.row(i).data(),
+                               batch_.fitness[i], batch_.uncertainty[i], generation_ * settings_.batch + i,
+                               parent_id_[i]});
+    }
+    // A sibling may have taken the parent's place; then there is nobody to credit.
+    const Slot p = parent_slot_[i];
+    const bool parent_gone = p == kNoSlot || (p != added.slot && repertoire_.store().id(p) != parent_id_[i]);
+    selector_.learn(parent_gone ? kNoSlot : p, added);
+  }
+}
+
+void Search::record() {
+  const EliteStore& store = repertoire_.store();
+  double best = -std::numeric_limits<double>::infinity(), sum = 0;
+  for (Slot s = 0; s < store.size(); ++s) {
+    best = std::max(best, static_cast<double>(store.fitness(s)));
+    sum += store.fitness(s);
+  }
+  if (store.size() == 0) return;  // nothing to speak of yet
+  progress_.push_back({generation_, store.size(), best, sum / store.size(), generation_ * settings_.batch});
+}
+
+SearchState Search::state() const {
+  return {generation_, repertoire_.store().in_slot_order(), selector_.memory(), progress_};
+}
+
+void Search::resume(const SearchState& state) {
+  HBR_CHECK(generation_ == 0, "generation {}", generation_);
+  generation_ = state.generation;
+  repertoire_.restore(state.elites);
+  selector_.restore(state.selector);
+  progress_ = state.progress;
+}
+
+}  // namespace hbr

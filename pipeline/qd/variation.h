@@ -1,0 +1,56 @@
+// How children differ from their parents, and what a random genome is.
+#pragma once
+
+#include "pipeline/core/random.h"
+
+namespace hbr {
+
+class Variation {
+ public:
+  virtual ~Variation() = default;
+  virtual int genes() const = 0;  // the longest genome's length
+  // Both write at most genes() genes in [0, 1] and return the length.
+  virtual int sample(float* genome, Rng& rng) const = 0;
+  virtual int vary(const float* parent, int length, float* child, Rng& rng) const = 0;
+};
+
+// One gene's polynomial mutation (Deb and Goyal 1996): the distance has density (eta + 1)/2 (1 - |delta|)^eta
+// on
+// [-1, 1], the gene's whole range; the result is clipped to [0, 1].
+float polynomial_step(float gene, float eta, float uniform);
+
+// Genomes of a fixed length; each gene mutates with probability `rate`.
+class PolynomialMutation final : public Variation {
+ public:
+  PolynomialMutation(int genes, float eta, float rate) : genes_(genes), eta_(eta), rate_(rate) {}
+  int genes() const override { return genes_; }
+  int sample(float* genome, Rng& rng) const override;
+  int vary(const float* parent, int length, float* child, Rng& rng) const override;
+
+ private:
+  int genes_;
+  float eta_, rate_;
+};
+
+// A head of `head` genes, then one to `most_blocks` blocks of `block` genes (paper, section 4.3: the digits'
+// arcs). Besides the genes' mutation, with probability `length_rate` a random block enters or one leaves, at
+// a random place, each as likely; nothing happens where the number of blocks allows no such step.
+class BlockMutation final : public Variation {
+ public:
+  BlockMutation(int head, int block, int most_blocks, float eta, float rate, float length_rate)
+      : head_(head),
+        block_(block),
+        most_blocks_(most_blocks),
+        eta_(eta),
+        rate_(rate),
+        length_rate_(length_rate) {}
+  int genes() const override { return head_ + most_blocks_ * block_; }
+  int sample(float* genome, Rng& rng) const override;
+  int vary(const float* parent, int length, float* child, Rng& rng) const override;
+
+ private:
+  int head_, block_, most_blocks_;
+  float eta_, rate_, length_rate_;
+};
+
+}  // namespace hbr
