@@ -1,0 +1,63 @@
+// A robot as a Simbody multibody system: any URDF, posed by the joints that are asked for.
+//
+// The body is immutable. Every thread that asks it something works on a System and State of its own, taken
+// from a pool, so all members may be called from any thread at once. Simbody's headers stay in body.cpp.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/simbody/robot_model.h"
+
+namespace hbr {
+
+class Body {
+ public:
+  // `moving` names the joints that are coordinates, in this order; they may not be fixed or follow another.
+  // Joints that follow one of them move with it. Every other joint is locked where `rest` says (rad or m), at
+  // 0 without a word there, brought within its limits. Throws InputError for unknown or unfit joints and for
+  // a part that would move without mass.
+  Body(RobotModel model, std::vector<std::string> moving, const std::map<std::string, double>& rest = {});
+  ~Body();
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  const RobotModel& model() const { return model_; }
+  const std::vector<std::string>& moving() const { return moving_; }
+  const Eigen::VectorXd& lower() const { return lower_; }  // [dof], rad or m
+  const Eigen::VectorXd& upper() const { return upper_; }
+  Eigen::Index dof() const { return lower_.size(); }
+
+  // The whole robot's, kg; and its centre in the root link's frame, m. joints [dof].
+  double mass() const;
+  Eigen::Vector3d centre_of_mass(const Eigen::VectorXd& joints) const;
+
+  // Every link's frame in the root link's, by index in model().links.
+  std::vector<Eigen::Isometry3d> link_poses(const Eigen::VectorXd& joints) const;
+
+  // Origins of `link` in the root link's frame, for n configurations [n x dof], row-major; m.
+  void positions(int link, Eigen::Index n, const double* joints, Eigen::Vector3d* out) const;
+
+  // The same for one configuration, with its derivative by the joints [3 x dof] where asked for.
+  Eigen::Vector3d position(int link, const double* joints, Eigen::Matrix3Xd* jacobian = nullptr) const;
+
+  // The coordinates that move this link.
+  std::vector<bool> moves(int link) const;
+
+ private:
+  struct Plan;      // which links and joints became which Simbody bodies
+  struct Instance;  // a System and its State
+  struct Pool;
+  class Lease;
+
+  RobotModel model_;
+  std::vector<std::string> moving_;
+  Eigen::VectorXd lower_, upper_;
+  std::unique_ptr<Plan> plan_;
+  std::unique_ptr<Pool> pool_;
+};
+
+}  // namespace hbr

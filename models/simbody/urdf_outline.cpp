@@ -1,0 +1,135 @@
+#include "models/simbody/urdf_outline.h"
+
+#include <fmt/ranges.h>
+#include <tinyxml.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace {
+
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, const std::string& text) : path_(path.string()) {
+    // TinyXML recurses: a file of nothing but opening tags must not use up the stack.
+    int depth = 0;
+    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+      if (text[i] == '<' && text[i + 1] != '!' && text[i + 1] != '?') depth += text[i + 1] == '/' ? -1 : 1;
+      if (text[i] == '/' && text[i + 1] == '>') --depth;
+      if (depth > 5000) throw InputError("{}: elements are nested without end; expected a URDF", path_);
+    }
+    document_.Parse(text.c_str());
+    if (document_.Error())
+      throw InputError("{}:{}: not XML: {}; expected a URDF", path_, document_.ErrorRow(),
+                       document_.ErrorDesc());
+    robot_ = document_.FirstChildElement("robot");
+    if (!robot_) {
+      const TiXmlElement* top = document_.RootElement();
+      throw InputError("{}: no <robot>; expected a URDF, found <{}>", path_, top ? top->Value() : "nothing");
+    }
+  }
+
+  UrdfOutline read() {
+    read_links();
+    read_joints();
+    return order();
+  }
+
+ private:
+  // The attribute of an element, or of its child of that name.
+  std::string attribute(const TiXmlElement& element, const char* key, const std::string& what) const {
+    const char* value = element.Attribute(key);
+    if (!value || !*value) throw InputError("{}:{}: {} has no '{}'", path_, element.Row(), what, key);
+    return value;
+  }
+  std::string end(const TiXmlElement& joint, const char* side, const std::string& what) const {
+    const TiXmlElement* element = joint.FirstChildElement(side);
+    if (!element) throw InputError("{}:{}: {} has no <{} link=\"...\">", path_, joint.Row(), what, side);
+    const std::string name = attribute(*element, "link", fmt::format("<{}> of {}", side, what));
+    if (!links_.count(name))
+      throw InputError("{}:{}: the {} of {} is link '{}', which is not in the file: the chain is broken",
+                       path_, element->Row(), side, what, name);
+    return name;
+  }
+
+  void read_links() {
+    for (auto* e = robot_->FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
+      const std::string name = attribute(*e, "name", "a <link>");
+      const auto [earlier, is_new] = links_.emplace(name, e->Row());
+      if (!is_new)
+        throw InputError("{}:{}: a second link '{}'; the first is in line {}", path_, e->Row(), name,
+                         earlier->second);
+      link_order_.push_back(name);
+    }
+    if (links_.empty()) throw InputError("{}:{}: the robot has no <link>", path_, robot_->Row());
+  }
+
+  void read_joints() {
+    static const std::set<std::string> known = {"revolute", "continuous", "prismatic", "fixed"};
+    std::map<std::string, int> lines;
+    for (auto* e = robot_->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
+      const std::string name = attribute(*e, "name", "a <joint>"), what = fmt::format("joint '{}'", name);
+      const auto [earlier, is_new] = lines.emplace(name, e->Row());
+      if (!is_new)
+        throw InputError("{}:{}: a second {}; the first is in line {}", path_, e->Row(), what,
+                         earlier->second);
+      const std::string type = attribute(*e, "type", what);
+      if (!known.count(type))
+        throw InputError("{}:{}: {} has type '{}'; expected one of {}", path_, e->Row(), what, type,
+                         fmt::join(known, ", "));
+      const UrdfOutline::Joint joint{name, end(*e, "parent", what), end(*e, "child", what), e->Row()};
+      const auto [other, only_parent] = parent_joint_.emplace(joint.child, name);
+      if (!only_parent)
+        throw InputError("{}:{}: link '{}' is the child of two joints, '{}' and '{}'; links must be a tree",
+                         path_, e->Row(), joint.child, other->second, name);
+      children_[joint.parent].push_back(joint);
+    }
+  }
+
+  UrdfOutline order() const {
+    std::vector<std::string> roots;
+    for (const std::string& name : link_order_)
+      if (!parent_joint_.count(name)) roots.push_back(name);
+    if (roots.size() > 1)
+      throw InputError("{}: {} links hang on no joint ('{}'); expected one root", path_, roots.size(),
+                       fmt::join(roots, "', '"));
+    UrdfOutline outline;
+    if (roots.size() == 1) outline.links.push_back({roots[0], links_.at(roots[0])});
+    for (std::size_t i = 0; i < outline.links.size(); ++i) {
+      const auto children = children_.find(outline.links[i].name);
+      if (children == children_.end()) continue;
+      for (const UrdfOutline::Joint& joint : children->second) {
+        outline.joints.push_back(joint);
+        outline.links.push_back({joint.child, links_.at(joint.child)});
+      }
+    }
+    if (outline.links.size() == links_.size()) return outline;
+    std::set<std::string> reached;
+    for (const UrdfOutline::Link& link : outline.links) reached.insert(link.name);
+    for (const std::string& name : link_order_)
+      if (!reached.count(name))
+        throw InputError("{}:{}: link '{}' is part of a cycle of joints; links must be a tree", path_,
+                         links_.at(name), name);
+    return outline;
+  }
+
+  std::string path_;
+  TiXmlDocument document_;
+  TiXmlElement* robot_;
+  std::map<std::string, int> links_;  // name -> line
+  std::vector<std::string> link_order_;
+  std::map<std::string, std::string> parent_joint_;  // link -> the joint it hangs on
+  std::map<std::string, std::vector<UrdfOutline::Joint>> children_;
+};
+
+}  // namespace
+
+UrdfOutline read_outline(const std::filesystem::path& path, const std::string& text) {
+  return Reader(path, text).read();
+}
+
+}  // namespace hbr

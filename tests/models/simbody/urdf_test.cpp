@@ -1,0 +1,161 @@
+// Every way in which a URDF can be wrong ends in one clear line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "models/simbody/body.h"
+#include "models/simbody/robot_model.h"
+#include "pipeline/core/check.h"
+#include "tests/models/simbody/urdf_text.h"
+
+namespace hbr {
+namespace {
+
+const std::string kLimit = R"(<limit lower="-1" upper="1" effort="1" velocity="1"/>)";
+
+struct Bad {
+  std::string name, text, expected;
+};
+// gtest prints a parameter with this.
+void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
+
+std::string two_links(const std::string& second) { return robot(link("a") + second); }
+
+std::vector<Bad> bad_urdfs() {
+  const std::string ab = link("a") + link("b");
+  return {
+      {"Empty", "", "not XML"},
+      {"NotXml", "solid cube", "not XML"},
+      {"Torn", "<robot name=\"a\"><link name=\"b\">", "not XML"},
+      {"NoRobot", "<sdf version=\"1\"></sdf>", "no <robot>.*found <sdf>"},
+      {"Nested", std::string(400000, '<'), "nested"},
+      {"NestedElements",
+       [] {
+         std::string s;
+         for (int i = 0; i < 9000; ++i) s += "<a>";
+         return s;
+       }(),
+       "nested"},
+      {"NoRobotName", "<robot><link name=\"a\"/></robot>", "name"},
+      {"NoLink", robot(""), "no <link>"},
+      {"NamelessLink", robot("<link/>"), "a <link> has no 'name'"},
+      {"TwinLinks", robot(link("a") + link("a")), "second link 'a'"},
+      {"TwinJoints", robot(ab + link("c") + joint("j", "a", "b") + joint("j", "b", "c")), "second joint 'j'"},
+      {"NamelessJoint", robot(ab + joint("", "a", "b")), "a <joint> has no 'name'"},
+      {"UnknownType", robot(ab + joint("j", "a", "b", "ball")), "joint 'j' has type 'ball'.*prismatic"},
+      {"Floating", robot(ab + joint("j", "a", "b", "floating")), "type 'floating'"},
+      {"Planar", robot(ab + joint("j", "a", "b", "planar")), "type 'planar'"},
+      {"NoType", robot(ab + "<joint name=\"j\"><parent link=\"a\"/><child link=\"b\"/></joint>"),
+       "no 'type'"},
+      {"NoParent", robot(ab + "<joint name=\"j\" type=\"fixed\"><child link=\"b\"/></joint>"), "no <parent"},
+      {"NoChild", robot(ab + "<joint name=\"j\" type=\"fixed\"><parent link=\"b\"/></joint>"), "no <child"},
+      {"BrokenChain", robot(ab + joint("j", "a", "c")), "child of joint 'j' is link 'c'.*broken"},
+      {"BrokenChainAbove", robot(ab + joint("j", "c", "b")), "parent of joint 'j' is link 'c'.*broken"},
+      {"TwoRoots", robot(ab), "2 links hang on no joint \\('a', 'b'\\)"},
+      {"TwoParents", robot(ab + link("c") + joint("j", "a", "c") + joint("k", "b", "c")), "two joints"},
+      {"Cycle", robot(ab + joint("j", "a", "b") + joint("k", "b", "a")), "cycle"},
+      {"CycleBesideTheTree", robot(ab + link("c") + joint("j", "b", "c") + joint("k", "c", "b")), "cycle"},
+      {"OwnParent", robot(ab + joint("j", "b", "b")), "cycle"},
+      {"NoMass", two_links(link("b", inertial("0")) + joint("j", "a", "b")), "link 'b': the mass is 0"},
+      {"NegativeMass", two_links(link("b", inertial("-1")) + joint("j", "a", "b")), "the mass is -1"},
+      {"MassIsNotANumber", two_links(link("b", inertial("heavy")) + joint("j", "a", "b")), "mass"},
+      {"MassNan", two_links(link("b", inertial("nan")) + joint("j", "a", "b")), "mass"},
+      {"NoMassElement", two_links(link("b", "<inertial/>") + joint("j", "a", "b")), "nertial"},
+      {"ZeroInertia",
+       two_links(link("b", inertial("1", R"(ixx="0" iyy="0" izz="0")")) + joint("j", "a", "b")), "above 0"},
+      {"NegativeInertia",
+       two_links(link("b", inertial("1", R"(ixx="1" iyy="-1" izz="1")")) + joint("j", "a", "b")), "above 0"},
+      {"TriangleInequality",
+       two_links(link("b", inertial("1", R"(ixx="1" iyy="1" izz="2.5")")) + joint("j", "a", "b")),
+       "larger than the sum"},
+      {"LimitsCrossed",
+       robot(ab +
+             joint("j", "a", "b", "revolute", R"(<limit lower="1" upper="-1" effort="1" velocity="1"/>)")),
+       "joint 'j': the limits are \\[1, -1\\]"},
+      {"NoLimits", robot(ab + joint("j", "a", "b", "revolute", "")), "limit"},
+      {"NoLimitsPrismatic", robot(ab + joint("j", "a", "b", "prismatic", "")), "limit"},
+      {"LimitIsNotANumber",
+       robot(ab +
+             joint("j", "a", "b", "revolute", R"(<limit lower="x" upper="1" effort="1" velocity="1"/>)")),
+       "lower"},
+      {"NegativeEffort",
+       robot(ab +
+             joint("j", "a", "b", "revolute", R"(<limit lower="0" upper="1" effort="-1" velocity="1"/>)")),
+       "effort -1"},
+      {"NoAxis", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="0 0 0"/>)" + kLimit)),
+       "its axis is 0"},
+      {"AxisOfTwo", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="0 1"/>)" + kLimit)), "xis"},
+      {"MimicsNothing", robot(ab + joint("j", "a", "b", "revolute", R"(<mimic joint="k"/>)" + kLimit)),
+       "mimics joint 'k', which is not in the file"},
+      {"MimicsItself", robot(ab + joint("j", "a", "b", "revolute", R"(<mimic joint="j"/>)" + kLimit)),
+       "is a mimic joint too"},
+      {"MimicsFixed",
+       robot(ab + link("c") + joint("k", "a", "b", "fixed") +
+             joint("j", "b", "c", "revolute", R"(<mimic joint="k"/>)" + kLimit)),
+       "mimics joint 'k', which is fixed"},
+      {"EmptyBox",
+       two_links(link("b", inertial() + R"(<visual><geometry><box size="0 1 1"/></geometry></visual>)") +
+                 joint("j", "a", "b")),
+       "size"},
+      {"NoGeometry", two_links(link("b", inertial() + "<visual/>") + joint("j", "a", "b")), "."},
+      {"BadVersion", "<robot name=\"a\" version=\"x\"><link name=\"a\"/></robot>", "ersion"},
+  };
+}
+
+class BadUrdf : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadUrdf, IsRefusedInOneLine) {
+  const TestFolder folder;
+  const auto path = folder.write("bad.urdf", GetParam().text);
+  testing::internal::CaptureStderr();
+  try {
+    load_urdf(path);
+    ADD_FAILURE() << "taken without a word";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::ContainsRegex(GetParam().expected));
+    EXPECT_THAT(error.what(), testing::HasSubstr("bad.urdf"));
+    EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("\n")));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Urdf, BadUrdf, testing::ValuesIn(bad_urdfs()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(Urdf, MissingFileIsRefused) {
+  EXPECT_THROW(load_urdf("/nowhere/robot.urdf"), InputError);
+  EXPECT_THROW(load_urdf(std::filesystem::temp_directory_path()), InputError);
+}
+
+TEST(Urdf, KeepsTheOrderOfTheFile) {
+  const TestFolder folder;
+  const RobotModel model =
+      load_urdf(folder.write("a.urdf", robot(link("z") + link("y") + link("x") + joint("q", "z", "y") +
+                                             joint("p", "z", "x", "fixed"))));
+  EXPECT_EQ(model.links[0].name, "z");
+  EXPECT_EQ(model.links[1].name, "y");
+  EXPECT_EQ(model.joints[1].name, "p");
+  EXPECT_THAT(model.independent_joints(), testing::ElementsAre("q"));
+  EXPECT_EQ(model.link("x"), 2);
+  EXPECT_THROW(model.link("hand"), InputError);
+  EXPECT_THROW(model.joint("hand"), InputError);
+}
+
+TEST(Body, RefusesJointsItCannotMove) {
+  const TestFolder folder;
+  const RobotModel model = load_urdf(folder.write(
+      "a.urdf",
+      robot(link("a") + link("b") + link("c") + link("d") + link("e", "") + joint("j", "a", "b") +
+            joint("f", "b", "c", "fixed") +
+            joint("m", "b", "d", "revolute", R"(<mimic joint="j"/>)" + kLimit) + joint("n", "d", "e"))));
+  EXPECT_THROW(Body(model, {"k"}), InputError);       // unknown
+  EXPECT_THROW(Body(model, {"f"}), InputError);       // fixed
+  EXPECT_THROW(Body(model, {"m"}), InputError);       // mimics
+  EXPECT_THROW(Body(model, {"j", "j"}), InputError);  // twice
+  EXPECT_THROW(Body(model, {"n"}), InputError);       // without mass
+  EXPECT_THROW(Body(model, {"j"}, {{"k", 0}}), InputError);
+  EXPECT_THROW(Body(model, {"j"}, {{"n", NAN}}), InputError);
+  EXPECT_NO_THROW(Body(model, {"j"}));
+}
+
+}  // namespace
+}  // namespace hbr
