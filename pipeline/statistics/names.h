@@ -1,0 +1,36 @@
+// What the names of artifacts and of statistics mean.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hbr {
+
+// "layer2_n10/03.h5" is {layer2, n10, 3}, "nao_transfer/00.h5" {transfer, nao, 0}, "judge.h5" {judge, "",
+// -1}. A robot's layer 1 is a variant of layer 1.
+struct ArtifactName {
+  std::string head;     // one of the names in FORMAT.md, without variant or robot
+  std::string variant;  // may be empty
+  int replication = -1;
+
+  std::string prefix() const { return variant.empty() ? head : head + "." + variant; }
+};
+
+// Throws InputError where the name has none of the forms of FORMAT.md.
+ArtifactName parse_artifact_name(const std::string& name);
+
+// Searches whose course is kept: layers, reference and flat baselines.
+bool is_search(const std::string& head);
+
+// Unit and meaning, in words for tables and axes.
+struct Meaning {
+  std::string unit;  // "" for a pure number
+  std::string text;
+};
+
+// Nothing where no statistic can have that name: the vocabulary that claims are checked against.
+//   layer2.n10.size    accuracy.reference_endpoint    transfer.nao.absolute    judge.test_accuracy
+std::optional<Meaning> meaning_of(const std::string& name);
+
+}  // namespace hbr

@@ -1,0 +1,58 @@
+#include "pipeline/statistics/names.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace {
+
+TEST(ArtifactName, HasHeadVariantAndReplication) {
+  struct Case {
+    const char *name, *head, *variant;
+    int replication;
+  };
+  for (const Case& c :
+       {Case{"layer2_n10/03.h5", "layer2", "n10", 3}, Case{"layer1/00.h5", "layer1", "", 0},
+        Case{"layer1_substitute/12.h5", "layer1", "substitute", 12},
+        Case{"nao_layer1/01.h5", "layer1", "nao", 1}, Case{"nao_transfer/07.h5", "transfer", "nao", 7},
+        Case{"layer2_n10_short/00.h5", "layer2", "n10_short", 0},
+        Case{"flat_digits/09.h5", "flat_digits", "", 9}, Case{"judge.h5", "judge", "", -1},
+        Case{"nao_plane.h5", "plane", "nao", -1}}) {
+    const ArtifactName parsed = parse_artifact_name(c.name);
+    EXPECT_EQ(parsed.head, c.head) << c.name;
+    EXPECT_EQ(parsed.variant, c.variant) << c.name;
+    EXPECT_EQ(parsed.replication, c.replication) << c.name;
+  }
+}
+
+TEST(ArtifactName, RefusesOtherNames) {
+  for (const char* name :
+       {"", "layer5/00.h5", "layer2/first.h5", "layer2_n1.0/00.h5", "report", "layer1/.h5"})
+    EXPECT_THROW(parse_artifact_name(name), InputError) << name;
+}
+
+TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
+  for (const char* name :
+       {"layer2.n10.size", "layer1.size", "reference4d.size", "layer3.b.fresh_mean", "flat_arcs.equal_mean",
+        "accuracy.reference_endpoint", "substitution.m3.substitute", "transfer.nao.absolute_median",
+        "digits.hbr.good_of_class.4", "autoencoder.kept_of_class.2", "judge.test_accuracy",
+        "layer4.generations", "genes.hierarchy"}) {
+    const auto meaning = meaning_of(name);
+    ASSERT_TRUE(meaning) << name;
+    EXPECT_EQ(meaning->text.find("{}"), std::string::npos);
+  }
+  for (const char* name : {"", "layer2", "layer2.n10.sizes", "layer5.size", "layer2..size", "layer2.a.b.size",
+                           "substitution.m4.original", "transfer.absolute", "digits.hbr.good_of_class.x",
+                           "judge.accuracy", "accuracy"})
+    EXPECT_FALSE(meaning_of(name)) << name;
+}
+
+TEST(Meaning, SpeaksOfTheVariant) {
+  EXPECT_EQ(meaning_of("layer2.n10.size")->text, "layer 2 (lines), N = 10: elites in the repertoire");
+  EXPECT_EQ(meaning_of("layer3.b.mean")->text, "layer 3 (arcs), controller B: mean fitness");
+  EXPECT_EQ(meaning_of("accuracy.n10_short")->unit, "m^2");
+}
+
+}  // namespace
+}  // namespace hbr
