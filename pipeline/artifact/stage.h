@@ -10,8 +10,10 @@
 // InputError ends the program with one line on stderr and exit code 2.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -20,11 +22,23 @@
 
 namespace hbr {
 
+class Progress;
+
 class StageRun {
  public:
+  // Reads the slice; throws InputError where it is missing or not as expected.
+  StageRun(const std::filesystem::path& slice, std::filesystem::path root, std::filesystem::path output,
+           std::filesystem::path checkpoint, int threads);
+  ~StageRun();
+
   const std::string& stage() const { return stage_; }  // the program's task: "layer2_n10"
   const std::string& name() const { return name_; }    // this instance: "layer2_n10/03"
   const nlohmann::json& settings() const { return settings_; }
+  // The settings as a struct described as in settings.h.
+  template <class S>
+  S settings_as() const {
+    return settings_from_json<S>(settings_, slice_.string());
+  }
   // The slice as text, to be kept as an attribute of the artifact.
   std::string settings_text() const { return settings_.dump(); }
 
@@ -41,20 +55,15 @@ class StageRun {
   const std::filesystem::path& checkpoint() const { return checkpoint_; }
   int threads() const { return threads_; }
 
-  // Tells how far the run is: rate and time left, on a terminal one line that changes, else a line now and
-  // then. Cheap enough to call for every generation.
+  // Tells how far the run is: rate and time left, see progress.h.
   void progress(std::int64_t done, std::int64_t total, const char* unit);
 
  private:
-  friend int stage_main(int, char**, const char*, const std::function<void(StageRun&)>&);
-  StageRun() = default;
-
+  std::filesystem::path slice_, root_, output_, checkpoint_;
   std::string stage_, name_;
   nlohmann::json settings_, inputs_;
-  std::filesystem::path root_, output_, checkpoint_;
-  int threads_ = 1;
-  double started_ = 0, last_shown_ = 0;
-  std::int64_t first_done_ = -1;
+  int threads_;
+  std::unique_ptr<Progress> progress_;
 };
 
 int stage_main(int argc, char** argv, const char* summary, const std::function<void(StageRun&)>& run);

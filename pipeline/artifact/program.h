@@ -1,0 +1,12 @@
+// What every program of ours does about failures.
+#pragma once
+
+#include <functional>
+
+namespace hbr {
+
+// Runs the body of a main: an InputError becomes one line on stderr and exit code 2, any other exception one
+// line and exit code 3. A file-size limit is an error to be read, not a signal to die from.
+int guarded_main(const char* program, const std::function<int()>& body);
+
+}  // namespace hbr

@@ -1,0 +1,75 @@
+#include "pipeline/artifact/stage.h"
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+
+#include "pipeline/artifact/program.h"
+#include "pipeline/artifact/progress.h"
+#include "pipeline/core/check.h"
+
+namespace hbr {
+
+StageRun::StageRun(const std::filesystem::path& slice, std::filesystem::path root,
+                   std::filesystem::path output, std::filesystem::path checkpoint, int threads)
+    : slice_(slice),
+      root_(std::move(root)),
+      output_(std::move(output)),
+      checkpoint_(std::move(checkpoint)),
+      threads_(threads) {
+  std::ifstream stream(slice);
+  if (!stream) throw InputError("{}: can't read this slice", slice.string());
+  try {
+    const nlohmann::json all = nlohmann::json::parse(stream);
+    stage_ = all.at("stage").get<std::string>();
+    name_ = all.at("name").get<std::string>();
+    settings_ = all.at("settings");
+    inputs_ = all.at("inputs");
+    if (!settings_.is_object() || !inputs_.is_object())
+      throw InputError("{}: expected tables as \"settings\" and \"inputs\"", slice.string());
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError("{}: not a slice: {}", slice.string(), error.what());
+  }
+  progress_ = std::make_unique<Progress>(name_);
+}
+
+StageRun::~StageRun() = default;
+
+bool StageRun::has_input(const std::string& name) const { return inputs_.contains(name); }
+
+std::filesystem::path StageRun::input(const std::string& name) const {
+  if (!has_input(name))
+    throw InputError("{}: no input '{}'{}", slice_.string(), name, did_you_mean(name, inputs()));
+  std::filesystem::path path = root_ / inputs_.at(name).get<std::string>();
+  if (!std::filesystem::exists(path))
+    throw InputError("{}: missing, the input '{}' of {}", path.string(), name, name_);
+  return path;
+}
+
+std::vector<std::string> StageRun::inputs() const {
+  std::vector<std::string> names;
+  for (const auto& [name, path] : inputs_.items()) names.push_back(name);
+  return names;
+}
+
+void StageRun::progress(std::int64_t done, std::int64_t total, const char* unit) {
+  progress_->show(done, total, unit);
+}
+
+int stage_main(int argc, char** argv, const char* summary, const std::function<void(StageRun&)>& run) {
+  CLI::App app(summary);
+  std::filesystem::path slice, root, output, checkpoint;
+  int threads = 1;
+  app.add_option("--root", root, "folder that the slice's paths are below")->required();
+  app.add_option("--slice", slice, "the run's settings and inputs (JSON)")->required();
+  app.add_option("--output", output, "where to write the artifact")->required();
+  app.add_option("--checkpoint", checkpoint, "where to keep what a killed run goes on from")->required();
+  app.add_option("--threads", threads, "threads to use")->check(CLI::Range(1, 4096));
+  CLI11_PARSE(app, argc, argv);
+  return guarded_main(argv[0], [&] {
+    StageRun stage(slice, root, output, checkpoint, threads);
+    run(stage);
+    return 0;
+  });
+}
+
+}  // namespace hbr
