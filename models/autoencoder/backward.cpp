@@ -1,0 +1,234 @@
+#include "models/autoencoder/backward.h"
+
+namespace hbr::net {
+namespace {
+
+HBR_INLINE Lanes load(const float* from) {
+  Lanes x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+HBR_INLINE void store(float* to, Lanes x) { std::memcpy(to, &x, sizeof x); }
+
+// gradient[o % Channels] += sum over pixels and images of slope[pixel][o].
+template <int Channels, int N>
+void bias_gradient(const Lanes* slope, Index pixels, float* gradient) {
+  Lanes sum[Channels] = {};
+  for (int v = 0; v < N; ++v)
+    for (Index p = 0; p < pixels; ++p)
+      for (int c = 0; c < Channels; ++c) sum[c] += slope[v * kSlopePlane + p * Channels + c];
+  for (int c = 0; c < Channels; ++c) gradient[c] += lane_sum(sum[c]);
+}
+
+// gradient[i][o] += in[i] * slope[o], summed over the images; here the lanes are outputs. I inputs and
+// O * kLanes outputs at a time stay in registers.
+template <int I, int O, int N>
+HBR_INLINE void outer_product(const Lanes* in, const float* rows, Index stride, float* gradient) {
+  Lanes sum[I][O];
+#pragma GCC unroll 4
+  for (int i = 0; i < I; ++i)
+#pragma GCC unroll 4
+    for (int o = 0; o < O; ++o) sum[i][o] = load(gradient + i * stride + o * kLanes);
+  for (int v = 0; v < N; ++v)
+    for (int l = 0; l < kLanes; ++l) {
+      Lanes s[O];
+#pragma GCC unroll 4
+      for (int o = 0; o < O; ++o) s[o] = load(rows + (v * kLanes + l) * stride + o * kLanes);
+#pragma GCC unroll 4
+      for (int i = 0; i < I; ++i) {
+        const Lanes x = broadcast(in[v * kPlane + i][l]);
+#pragma GCC unroll 4
+        for (int o = 0; o < O; ++o) sum[i][o] += x * s[o];
+      }
+    }
+#pragma GCC unroll 4
+  for (int i = 0; i < I; ++i)
+#pragma GCC unroll 4
+    for (int o = 0; o < O; ++o) store(gradient + i * stride + o * kLanes, sum[i][o]);
+}
+
+template <int I, int N>
+HBR_INLINE void outer_products(const Lanes* in, const float* rows, Index stride, float* gradient) {
+  Index o = 0;
+  for (; o + 4 * kLanes <= stride; o += 4 * kLanes)
+    outer_product<I, 4, N>(in, rows + o, stride, gradient + o);
+  for (; o < stride; o += kLanes) outer_product<I, 1, N>(in, rows + o, stride, gradient + o);
+}
+
+// A dense layer: from the slopes of its outputs to its gradient and to the slopes of what it read, `in`,
+// whose activation's derivative is `derivative(activation)`.
+template <int N, class Derivative>
+HBR_INLINE void dense_backward(const Network& net, LayerIndex which, const Lanes* in, Slopes<N>& slopes,
+                               SlopeMap from, SlopeMap to, float* gradient, Derivative&& derivative) {
+  const Layer& layer = net.layer(which);
+  const Lanes* slope = slopes.map(from);
+  for (int v = 0; v < N; ++v)
+    for (int l = 0; l < kLanes; ++l) {
+      float* row = slopes.rows + (v * kLanes + l) * layer.stride;
+      for (Index o = 0; o < layer.outputs; ++o) row[o] = slope[v * kSlopePlane + o][l];
+      for (Index o = layer.outputs; o < layer.stride; ++o) row[o] = 0;
+    }
+  constexpr int block = kBlock / 2;
+  Index i = 0;
+  for (; i + block <= layer.inputs; i += block)
+    outer_products<block, N>(in + i, slopes.rows, layer.stride, gradient + layer.kernel + i * layer.stride);
+  for (; i < layer.inputs; ++i)
+    outer_products<1, N>(in + i, slopes.rows, layer.stride, gradient + layer.kernel + i * layer.stride);
+  for (Index o = 0; o < layer.outputs; ++o) bias_gradient<1, N>(slope + o, 1, gradient + layer.bias + o);
+
+  Lanes* below = slopes.map(to);
+  for_blocks(layer.inputs, [&]<int B>(Index k) {
+    Lanes sum[N][B];
+    start(sum, nullptr);
+    multiply_add(sum, layer.outputs, slope, kSlopePlane, net.kernel(which) + k * layer.stride, 1,
+                 layer.stride);
+    for (int v = 0; v < N; ++v)
+      for (int b = 0; b < B; ++b)
+        below[v * kSlopePlane + k + b] = sum[v][b] * derivative(in[v * kPlane + k + b]);
+  });
+}
+
+// The row y of the slopes before a max-pool (Size wide): those of the winners, elsewhere zero.
+template <int Size, int N>
+HBR_INLINE void unpool_row(const Lanes* pooled, const ByteLanes* winner, int y, Lanes* row) {
+  for (int v = 0; v < N; ++v)
+    for (int x = 0; x < Size; ++x)
+      for (int c = 0; c < kMaps; ++c) {
+        const Index at = (y / 2 * (Size / 2) + x / 2) * kMaps + c;
+        const auto won =
+            __builtin_convertvector(winner[v * kWinnerPlane + at], IntLanes) == y % 2 * 2 + x % 2;
+        row[v * kSlopePlane + x * kMaps + c] = won ? pooled[v * kSlopePlane + at] : Lanes{};
+      }
+}
+
+// The first convolution: only lit pixels matter. Row by row of slopes, three taps of a row at once.
+template <int N>
+void conv1_gradient(const Tile<N>& tile, Slopes<N>& slopes, float* gradient) {
+  constexpr int B = kBlock;
+  for (Lanes& sum : slopes.conv1) sum = Lanes{};
+  const Lanes* image = tile.map(kImage) + kImageBorder;
+  const Lanes* slope = slopes.map(kConv1Slope);
+  for (int y = 0; y < kSide; ++y) {
+    unpool_row<kSide, N>(slopes.map(kPool1Slope), tile.winners + kWinner1, y, slopes.map(kConv1Slope));
+    for (int ky = std::max(0, 4 - y); ky < std::min(9, kSide + 4 - y); ++ky) {
+      const int row = y + ky - 4;
+      const Span span = tile.spans[static_cast<std::size_t>(row)];
+      if (span.begin == span.end) continue;
+      for (int kx = 0; kx < 9; kx += 3) {
+        const int x0 = std::max(0, span.begin + 2 - kx), x1 = std::min(kSide, span.end + 4 - kx);
+        for (int o = 0; o < kMaps; o += B) {
+          Lanes* to = slopes.conv1 + (ky * 9 + kx) * kMaps + o;
+          Lanes sum[3][B];
+#pragma GCC unroll 3
+          for (int k = 0; k < 3; ++k)
+#pragma GCC unroll 8
+            for (int b = 0; b < B; ++b) sum[k][b] = to[k * kMaps + b];
+          for (int v = 0; v < N; ++v) {
+            const Lanes* a = image + v * kPlane + row * kImageWidth + x0 + kx - 4;
+            const Lanes* s = slope + v * kSlopePlane + x0 * kMaps + o;
+            for (int x = x0; x < x1; ++x, ++a, s += kMaps) {
+              const Lanes a0 = a[0], a1 = a[1], a2 = a[2];
+#pragma GCC unroll 8
+              for (int b = 0; b < B; ++b) {
+                const Lanes g = s[b];
+                sum[0][b] += g * a0;
+                sum[1][b] += g * a1;
+                sum[2][b] += g * a2;
+              }
+            }
+          }
+#pragma GCC unroll 3
+          for (int k = 0; k < 3; ++k)
+#pragma GCC unroll 8
+            for (int b = 0; b < B; ++b) to[k * kMaps + b] = sum[k][b];
+        }
+      }
+    }
+  }
+  for (int k = 0; k < 81 * kMaps; ++k) gradient[k] += lane_sum(slopes.conv1[k]);
+}
+
+}  // namespace
+
+template <int N>
+void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float scale, float* gradient) {
+  const float leak = net.leak;
+  const auto rectified = [leak](Lanes y) { return leaky_slope(y, leak); };
+  float* const deconv2_gradient = gradient + net.layout.size;
+  float* const output_gradient = deconv2_gradient + kSubpixelDeconv2;
+  const auto weights = [&](LayerIndex i) { return gradient + net.layer(i).kernel; };
+  const auto bias = [&](LayerIndex i) { return gradient + net.layer(i).bias; };
+
+  // Output: sigmoid and squared error.
+  for (int v = 0; v < N; ++v) {
+    Lanes factor;
+    for (int l = 0; l < kLanes; ++l) factor[l] = v * kLanes + l < tile.images ? scale * (2.f / kPixels) : 0.f;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const Lanes out = tile.map(kDecoded)[v * kPlane + y * kSide + x];
+        const Lanes in = tile.map(kImage)[v * kPlane + y * kImageWidth + kImageBorder + x];
+        slopes.map(kOutputSlope)[v * kSlopePlane + (y / 2 * 14 + x / 2) * 4 + y % 2 * 2 + x % 2] =
+            (out - in) * out * (1.f - out) * factor;
+      }
+  }
+  kernel_gradient<3, kMaps, 4, 14, N>(tile.map(kGrown2), kPlane, slopes.map(kOutputSlope), kSlopePlane,
+                                      output_gradient);
+  bias_gradient<1, N>(slopes.map(kOutputSlope), kPixels, bias(kOutput));
+
+  // Decoder's convolutions.
+  convolve<3, 4, kMaps, 14, N>(slopes.map(kOutputSlope), kSlopePlane, net.output_back.data(), nullptr,
+                               [&]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
+                                 const Index from = (y * 14 + x) * kMaps + o;
+                                 const Index to = ((y / 2 * 7 + x / 2) * 4 + y % 2 * 2 + x % 2) * kMaps + o;
+                                 for (int v = 0; v < N; ++v)
+                                   for (int b = 0; b < B; ++b)
+                                     slopes.map(kGrown2Slope)[v * kSlopePlane + to + b] =
+                                         sum[v][b] * rectified(tile.map(kGrown2)[v * kPlane + from + b]);
+                               });
+  const auto keep = [&](Map activation, SlopeMap slope, int size) {
+    return [&, activation, slope, size]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
+      const Index at = (y * size + x) * kMaps + o;
+      for (int v = 0; v < N; ++v)
+        for (int b = 0; b < B; ++b)
+          slopes.map(slope)[v * kSlopePlane + at + b] =
+              sum[v][b] * rectified(tile.map(activation)[v * kPlane + at + b]);
+    };
+  };
+  kernel_gradient<5, kMaps, 4 * kMaps, 7, N>(tile.map(kGrown1), kPlane, slopes.map(kGrown2Slope), kSlopePlane,
+                                             deconv2_gradient);
+  bias_gradient<kMaps, N>(slopes.map(kGrown2Slope), 14 * 14, bias(kDeconv2));
+  convolve<5, 4 * kMaps, kMaps, 7, N>(slopes.map(kGrown2Slope), kSlopePlane, net.deconv2_back.data(), nullptr,
+                                      keep(kGrown1, kGrown1Slope, 7));
+  kernel_gradient<3, kMaps, kMaps, 7, N>(tile.map(kSeeds), kPlane, slopes.map(kGrown1Slope), kSlopePlane,
+                                         weights(kDeconv1));
+  bias_gradient<kMaps, N>(slopes.map(kGrown1Slope), 7 * 7, bias(kDeconv1));
+  convolve<3, kMaps, kMaps, 7, N>(slopes.map(kGrown1Slope), kSlopePlane, net.deconv1_back.data(), nullptr,
+                                  keep(kSeeds, kSeedsSlope, 7));
+
+  // Dense layers.
+  dense_backward(net, kDense5, tile.map(kHidden4), slopes, kSeedsSlope, kHidden4Slope, gradient, rectified);
+  dense_backward(net, kDense4, tile.map(kHidden3), slopes, kHidden4Slope, kHidden3Slope, gradient, rectified);
+  dense_backward(net, kDense3, tile.map(kPosition), slopes, kHidden3Slope, kPositionSlope, gradient,
+                 [](Lanes y) { return 1.f - y * y; });
+  dense_backward(net, kLatent, tile.map(kHidden2), slopes, kPositionSlope, kHidden2Slope, gradient,
+                 rectified);
+  dense_backward(net, kDense2, tile.map(kHidden1), slopes, kHidden2Slope, kHidden1Slope, gradient, rectified);
+  dense_backward(net, kDense1, tile.map(kPool2), slopes, kHidden1Slope, kPool2Slope, gradient, rectified);
+
+  // Encoder's convolutions.
+  for (int y = 0; y < 14; ++y)
+    unpool_row<14, N>(slopes.map(kPool2Slope), tile.winners + kWinner2, y,
+                      slopes.map(kConv2Slope) + y * 14 * kMaps);
+  kernel_gradient<3, kMaps, kMaps, 14, N>(tile.map(kPool1), kPlane, slopes.map(kConv2Slope), kSlopePlane,
+                                          weights(kConv2));
+  bias_gradient<kMaps, N>(slopes.map(kPool2Slope), 7 * 7, bias(kConv2));
+  convolve<3, kMaps, kMaps, 14, N>(slopes.map(kConv2Slope), kSlopePlane, net.conv2_back.data(), nullptr,
+                                   keep(kPool1, kPool1Slope, 14));
+  conv1_gradient(tile, slopes, weights(kConv1));
+  bias_gradient<kMaps, N>(slopes.map(kPool1Slope), 14 * 14, bias(kConv1));
+}
+
+template void backward(const Network&, const Tile<2>&, Slopes<2>&, float, float*);
+
+}  // namespace hbr::net

@@ -1,0 +1,40 @@
+// The backward pass of a tile: adds the gradient of its images' error to a slot.
+#pragma once
+
+#include "models/autoencoder/forward.h"
+
+namespace hbr::net {
+
+// Where a plane keeps the slopes: the derivative of the error by what enters a layer's rectifier.
+enum SlopeMap : Index {
+  kOutputSlope = 0,                       // [14][14][parity]
+  kGrown2Slope = kOutputSlope + kPixels,  // [7][7][parity][8]
+  kGrown1Slope = kGrown2Slope + 14 * 14 * kMaps,
+  kSeedsSlope = kGrown1Slope + kFlat,
+  kHidden4Slope = kSeedsSlope + kFlat,
+  kHidden3Slope = kHidden4Slope + kHidden,
+  kPositionSlope = kHidden3Slope + kHidden,
+  kHidden2Slope = kPositionSlope + kMaxLatent,
+  kHidden1Slope = kHidden2Slope + kHidden,
+  kPool2Slope = kHidden1Slope + kHidden,
+  kConv2Slope = kPool2Slope + kFlat,  // [14][14][8], before the pool
+  kPool1Slope = kConv2Slope + 14 * 14 * kMaps,
+  kConv1Slope = kPool1Slope + 14 * 14 * kMaps,  // one row, [28][8], before the pool
+  kSlopePlane = kConv1Slope + kSide * kMaps
+};
+
+template <int N>
+struct Slopes {
+  Lanes* map(SlopeMap m) { return maps + m; }
+
+  Lanes maps[N * kSlopePlane] = {};
+  Lanes conv1[81 * kMaps] = {};               // gradient of the first kernel, still one lane per image
+  float rows[N * kLanes * (kFlat + 8)] = {};  // slopes of a dense layer, one row per image
+};
+
+// After encode (training) and decode: adds d(scale * sum over images of the mean squared error per pixel) to
+// `gradient`, laid out as a GradientSlot's.
+template <int N>
+void backward(const Network& network, const Tile<N>& tile, Slopes<N>& slopes, float scale, float* gradient);
+
+}  // namespace hbr::net

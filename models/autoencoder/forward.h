@@ -1,0 +1,59 @@
+// The forward pass of a tile: N vectors of images side by side.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "models/autoencoder/kernels.h"
+
+namespace hbr::net {
+
+inline constexpr int kImageBorder = 4;  // zero columns left and right, so that blocks of taps may overhang
+inline constexpr int kImageWidth = kSide + 2 * kImageBorder;
+
+// Where a plane (a vector of images) keeps what leaves each layer, after its rectifier.
+enum Map : Index {
+  kImage = 0,
+  kPool1 = kImage + kSide * kImageWidth,
+  kPool2 = kPool1 + 14 * 14 * kMaps,
+  kHidden1 = kPool2 + kFlat,
+  kHidden2 = kHidden1 + kHidden,
+  kPosition = kHidden2 + kHidden,
+  kHidden3 = kPosition + kMaxLatent,
+  kHidden4 = kHidden3 + kHidden,
+  kSeeds = kHidden4 + kHidden,  // the 7 x 7 maps that the decoder grows from
+  kGrown1 = kSeeds + kFlat,
+  kGrown2 = kGrown1 + kFlat,
+  kDecoded = kGrown2 + 14 * 14 * kMaps,
+  kPlane = kDecoded + kPixels
+};
+inline constexpr Index kWinner1 = 0, kWinner2 = 14 * 14 * kMaps, kWinnerPlane = kWinner2 + kFlat;
+
+template <int N>
+struct Tile {
+  Lanes* map(Map m) { return maps + m; }  // of plane 0; the next one's lies kPlane further
+  const Lanes* map(Map m) const { return maps + m; }
+
+  Lanes maps[N * kPlane] = {};
+  // Which of four pixels won a max-pool: row * 2 + column; the first of equals.
+  ByteLanes winners[N * kWinnerPlane] = {};
+  std::array<Span, kSide> spans{};  // of the union of the images
+  int images = 0;                   // lanes past them hold black images
+};
+
+// Loads up to N * kLanes images of 784 pixels; they may lie anywhere. Bytes stand for [0, 1] / 255.
+template <int N, class Pixel>
+void load_images(Tile<N>& tile, int count, const Pixel* const* images);
+
+// The layers up to the latent position, and from it to the decoded image. `training` keeps the winners of the
+// max-pools for the backward pass.
+template <int N>
+void encode(const Network& network, Tile<N>& tile, bool training);
+template <int N>
+void decode(const Network& network, Tile<N>& tile);
+
+// Mean squared error per pixel of the images of plane v.
+template <int N>
+Lanes reconstruction_error(const Tile<N>& tile, int v);
+
+}  // namespace hbr::net

@@ -1,0 +1,129 @@
+// The inner loops. Maps lie pixel by pixel, channels together ([row][column][channel][lane]), so that a row
+// of taps of a convolution is one run of memory, in the map as in the kernel, and a dense layer is a single
+// run. N planes (vectors of images) are worked on at once, `plane` Lanes apart, so that a weight once loaded
+// serves N * kLanes images.
+#pragma once
+
+#include <algorithm>
+
+#include "models/autoencoder/lanes.h"
+#include "models/autoencoder/network.h"
+
+namespace hbr::net {
+
+// Columns of a row that may differ from zero.
+struct Span {
+  int begin, end;
+};
+
+template <int Size>
+struct WholeRow {
+  Span operator()(int) const { return {0, Size}; }
+};
+
+// body.template operator()<B>(first) over blocks of B = kBlock, 4, 2, 1 that cover [0, n).
+template <class Body>
+HBR_INLINE void for_blocks(Index n, Body&& body) {
+  Index i = 0;
+  for (; i + kBlock <= n; i += kBlock) body.template operator()<kBlock>(i);
+  if constexpr (kBlock > 4)
+    for (; i + 4 <= n; i += 4) body.template operator()<4>(i);
+  for (; i + 2 <= n; i += 2) body.template operator()<2>(i);
+  for (; i < n; ++i) body.template operator()<1>(i);
+}
+
+// sum[v][b] += sum over k < n of weight[k * step + b * across] * in[v][k].
+template <int N, int B>
+HBR_INLINE void multiply_add(Lanes (&sum)[N][B], Index n, const Lanes* in, Index plane, const float* weight,
+                             Index step, Index across) {
+  for (Index k = 0; k < n; ++k) {
+    Lanes x[N];
+#pragma GCC unroll 4
+    for (int v = 0; v < N; ++v) x[v] = in[v * plane + k];
+#pragma GCC unroll 8
+    for (int b = 0; b < B; ++b) {
+      const Lanes w = broadcast(weight[k * step + b * across]);
+#pragma GCC unroll 4
+      for (int v = 0; v < N; ++v) sum[v][b] += w * x[v];
+    }
+  }
+}
+
+template <int N, int B>
+HBR_INLINE void start(Lanes (&sum)[N][B], const float* bias) {
+#pragma GCC unroll 8
+  for (int b = 0; b < B; ++b)
+#pragma GCC unroll 4
+    for (int v = 0; v < N; ++v) sum[v][b] = bias ? broadcast(bias[b]) : Lanes{};
+}
+
+// Convolution at one pixel for B outputs; taps outside the map or the span of a row are skipped. `in` is a
+// Size x Size map of In channels whose rows are `width` pixels apart; `weight` {rows, columns, In, Out}
+// starts at the first of the B outputs.
+template <int Taps, int In, int Out, int Size, int N, int B, class Rows>
+HBR_INLINE void convolve_pixel(Lanes (&sum)[N][B], const Lanes* in, Index plane, int width,
+                               const float* weight, int y, int x, const Rows& rows) {
+  constexpr int half = Taps / 2;
+  const int end = std::min(Taps, Size + half - y);
+  for (int ky = std::max(0, half - y); ky < end; ++ky) {
+    const int row = y + ky - half;
+    const Span span = rows(row);
+    const int first = std::max(0, span.begin + half - x);
+    const int last = std::min(Taps, span.end + half - x);
+    multiply_add(sum, (last - first) * In, in + (row * width + x + first - half) * In, plane,
+                 weight + (ky * Taps + first) * In * Out, Out, 1);
+  }
+}
+
+template <int Out>
+inline constexpr int kConvolutionBlock = std::min(kBlock, Out);
+
+// The whole map: store(y, x, first output, sum).
+template <int Taps, int In, int Out, int Size, int N, class Store>
+HBR_INLINE void convolve(const Lanes* in, Index plane, const float* weight, const float* bias,
+                         Store&& store) {
+  for (int y = 0; y < Size; ++y)
+    for (int x = 0; x < Size; ++x)
+      for (int o = 0; o < Out; o += kConvolutionBlock<Out>) {
+        Lanes sum[N][kConvolutionBlock<Out>];
+        start(sum, bias ? bias + o : nullptr);
+        convolve_pixel<Taps, In, Out, Size>(sum, in, plane, Size, weight + o, y, x, WholeRow<Size>{});
+        store(y, x, o, sum);
+      }
+}
+
+// gradient[k][o] += sum over pixels and images of in * slope, for a convolution of a Size x Size map.
+// in [Size][Size][In], slope [Size][Size][Out]; gradient {rows, columns, In, Out}.
+template <int Taps, int In, int Out, int Size, int N>
+void kernel_gradient(const Lanes* in, Index in_plane, const Lanes* slope, Index slope_plane,
+                     float* gradient) {
+  constexpr int half = Taps / 2, B = kConvolutionBlock<Out>;
+  for (int ky = 0; ky < Taps; ++ky)
+    for (int kx = 0; kx < Taps; ++kx) {
+      const int dy = ky - half, dx = kx - half;
+      const int x0 = std::max(0, -dx), x1 = std::min(Size, Size - dx);
+      for (int o = 0; o < Out; o += B)
+        for (int i = 0; i < In; i += 2) {
+          Lanes sum[2][B] = {};
+          for (int v = 0; v < N; ++v)
+            for (int y = std::max(0, -dy); y < std::min(Size, Size - dy); ++y) {
+              const Lanes* a = in + v * in_plane + ((y + dy) * Size + x0 + dx) * In + i;
+              const Lanes* s = slope + v * slope_plane + (y * Size + x0) * Out + o;
+              for (int x = x0; x < x1; ++x, a += In, s += Out) {
+                const Lanes a0 = a[0], a1 = a[1];
+#pragma GCC unroll 8
+                for (int b = 0; b < B; ++b) {
+                  const Lanes g = s[b];
+                  sum[0][b] += g * a0;
+                  sum[1][b] += g * a1;
+                }
+              }
+            }
+          for (int j = 0; j < 2; ++j)
+            for (int b = 0; b < B; ++b)
+              gradient[((ky * Taps + kx) * In + i + j) * Out + o + b] += lane_sum(sum[j][b]);
+        }
+    }
+}
+
+}  // namespace hbr::net

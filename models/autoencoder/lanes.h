@@ -1,0 +1,76 @@
+// Vectors of floats, one lane per image. Their width follows the target of the compiler (16 lanes with
+// AVX-512, 8 with AVX, else 4); every operation on them is plain C++ on GCC's and Clang's vector types. A
+// lane never sees another one, except in `lane_sum`.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#define HBR_INLINE [[gnu::always_inline]] inline
+
+namespace hbr::net {
+
+#if defined(__AVX512F__)
+inline constexpr int kLanes = 16;
+#elif defined(__AVX__)
+inline constexpr int kLanes = 8;
+#else
+inline constexpr int kLanes = 4;
+#endif
+
+using Lanes [[gnu::vector_size(kLanes * 4)]] = float;
+using IntLanes [[gnu::vector_size(kLanes * 4)]] = std::int32_t;
+using ByteLanes [[gnu::vector_size(kLanes)]] = std::int8_t;
+
+// Outputs of a register block: as many as leave room for the operands.
+#if defined(__AVX512F__) || defined(__aarch64__)
+inline constexpr int kBlock = 8;
+#else
+inline constexpr int kBlock = 4;
+#endif
+
+HBR_INLINE Lanes broadcast(float x) { return Lanes{} + x; }
+
+// In a fixed order: halves onto halves.
+HBR_INLINE float lane_sum(Lanes x) {
+  float lane[kLanes];
+  std::memcpy(lane, &x, sizeof x);
+  for (int half = kLanes / 2; half > 0; half /= 2)
+    for (int i = 0; i < half; ++i) lane[i] += lane[i + half];
+  return lane[0];
+}
+
+// e^x, relative error below 2e-7, for |x| <= 87; beyond that as at the border.
+HBR_INLINE Lanes exp(Lanes x) {
+  x = x < -87.f ? broadcast(-87.f) : x;
+  x = x > 87.f ? broadcast(87.f) : x;
+  // x = k ln 2 + r; adding 1.5 * 2^23 leaves round(x / ln 2) in the lowest bits.
+  const Lanes shifted = x * 1.44269504f + 12582912.f;
+  const Lanes k = shifted - 12582912.f;
+  Lanes r = x - k * 0.693359375f;
+  r = r + k * 2.12194440e-4f;
+  // Minimax polynomial of Cephes' expf.
+  Lanes p = broadcast(1.9875691500e-4f);
+  p = p * r + 1.3981999507e-3f;
+  p = p * r + 8.3334519073e-3f;
+  p = p * r + 4.1665795894e-2f;
+  p = p * r + 1.6666665459e-1f;
+  p = p * r + 5.0000001201e-1f;
+  p = p * (r * r) + r;
+  p = p + 1.f;
+  IntLanes bits;
+  std::memcpy(&bits, &shifted, sizeof bits);
+  bits = (bits + 127) << 23;  // the upper bits of `shifted` fall off
+  Lanes power;
+  std::memcpy(&power, &bits, sizeof power);
+  return p * power;
+}
+
+HBR_INLINE Lanes sigmoid(Lanes x) { return 1.f / (1.f + exp(-x)); }
+HBR_INLINE Lanes tanh(Lanes x) { return 1.f - 2.f / (1.f + exp(x + x)); }
+
+// Leaky rectifier; its slope follows from its result, too.
+HBR_INLINE Lanes leaky(Lanes x, float leak) { return x > 0.f ? x : x * leak; }
+HBR_INLINE Lanes leaky_slope(Lanes y, float leak) { return y > 0.f ? broadcast(1.f) : broadcast(leak); }
+
+}  // namespace hbr::net

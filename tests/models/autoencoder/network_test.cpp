@@ -1,0 +1,142 @@
+// The kernels against the loops of reference.h: forward to float rounding, gradients against central
+// differences of the reference in double.
+#include "models/autoencoder/network.h"
+
+#include <gmock/gmock.h>
+
+#include "models/autoencoder/autoencoder.h"
+#include "models/autoencoder/gradient.h"
+#include "tests/models/autoencoder/images.h"
+#include "tests/models/autoencoder/reference.h"
+
+namespace hbr {
+namespace {
+
+net::Network random_network(int latent, float leak, std::uint64_t seed) {
+  net::Network network(latent, leak);
+  network.initialise(Seed(seed), -2.f);
+  // Biases away from zero, so that their place matters.
+  Rng rng(Seed(seed).child("bias"));
+  for (const net::Layer& l : network.layout.layers)
+    for (net::Index o = 0; o < l.outputs; ++o)
+      network.parameters[static_cast<std::size_t>(l.bias + o)] += rng.uniform(-0.2f, 0.2f);
+  network.refresh();
+  return network;
+}
+
+std::vector<double> doubles(const net::Floats& x) { return {x.begin(), x.end()}; }
+
+reference::Maps image_of(const std::vector<float>& images, int i) {
+  return {images.begin() + i * 784, images.begin() + (i + 1) * 784};
+}
+
+TEST(Network, ForwardAgreesWithTheReference) {
+  for (int latent : {1, 2, 3, 8})
+    for (float leak : {0.f, 0.1f}) {
+      const net::Network network = random_network(latent, leak, 7);
+      const auto p = doubles(network.parameters);
+      constexpr int n = 19;
+      auto images = as_floats(stroke_images(n, Seed(1)));
+      Rng rng{Seed(2)};
+      for (std::size_t i = 0; i < 784; ++i) images[i] = rng.uniform();  // no black pixel at all
+      std::fill_n(images.begin() + 784, 784, 0.f);                      // nothing but black
+      const Autoencoder autoencoder(network);
+      std::vector<float> position(static_cast<std::size_t>(n * latent)), error(n), decoded(n * 784);
+      autoencoder.describe(n, images.data(), position.data(), error.data());
+      autoencoder.decode(n, position.data(), decoded.data());
+      for (int i = 0; i < n; ++i) {
+        const auto expected = reference::describe(network.layout, leak, p.data(), image_of(images, i));
+        for (int d = 0; d < latent; ++d)
+          EXPECT_NEAR(position[static_cast<std::size_t>(i * latent + d)],
+                      expected.latent[static_cast<std::size_t>(d)], 3e-6);
+        for (std::size_t k = 0; k < 784; ++k)
+          ASSERT_NEAR(decoded[static_cast<std::size_t>(i) * 784 + k], expected.decoded[k], 3e-6);
+        EXPECT_NEAR(error[static_cast<std::size_t>(i)], expected.error, 1e-6);
+      }
+    }
+}
+
+TEST(Network, SubpixelConvolutionIsUnpoolingThenConvolution) {
+  for (int taps : {3, 5, 9}) {
+    constexpr int in = 8, out = 2, small = 7;
+    Rng rng{Seed(3)};
+    net::Layer layer{.name = "",
+                     .shape = {static_cast<std::size_t>(taps), static_cast<std::size_t>(taps), in, out}};
+    std::vector<float> kernel(static_cast<std::size_t>(taps * taps * in * out));
+    for (float& k : kernel) k = rng.uniform(-1, 1);
+    layer.bias = static_cast<net::Index>(kernel.size());
+    std::vector<double> parameters(kernel.begin(), kernel.end());
+    parameters.resize(kernel.size() + out, 0.);
+    reference::Maps maps(small * small * in);
+    for (double& m : maps) m = rng.uniform(-1, 1);
+    const auto expected =
+        reference::convolve(layer, parameters.data(), reference::unpool(maps, small), 2 * small);
+
+    const int half = (taps / 2 + 1) / 2, small_taps = 2 * half + 1;
+    std::vector<float> sub(static_cast<std::size_t>(small_taps * small_taps * in * 4 * out), 0.f);
+    net::to_subpixel(taps, in, out, kernel.data(), sub.data());
+    net::Layer small_layer{
+        .name = "",
+        .shape = {static_cast<std::size_t>(small_taps), static_cast<std::size_t>(small_taps), in, 4 * out}};
+    small_layer.bias = static_cast<net::Index>(sub.size());
+    std::vector<double> small_parameters(sub.begin(), sub.end());
+    small_parameters.resize(sub.size() + 4 * out, 0.);
+    const auto found = reference::convolve(small_layer, small_parameters.data(), maps, small);
+    for (int y = 0; y < 2 * small; ++y)
+      for (int x = 0; x < 2 * small; ++x)
+        for (int o = 0; o < out; ++o)
+          ASSERT_NEAR(
+              found[static_cast<std::size_t>(((y / 2 * small + x / 2) * 4 + y % 2 * 2 + x % 2) * out + o)],
+              expected[static_cast<std::size_t>((y * 2 * small + x) * out + o)], 1e-5);
+  }
+}
+
+TEST(Network, GradientsAgreeWithFiniteDifferences) {
+  for (int latent : {2, 5}) {
+    const net::Network network = random_network(latent, 0.1f, 11);
+    constexpr int n = 5;  // fewer than any vector is wide but the narrowest
+    const auto bytes = stroke_images(n, Seed(4));
+    const auto images = as_floats(bytes);
+    std::vector<const std::uint8_t*> rows;
+    for (int i = 0; i < n; ++i) rows.push_back(bytes.data() + i * 784);
+    net::GradientSlot slot(network.layout);
+    const double error = slot.add(network, n, rows.data(), 1.f / n);
+    net::fold_subpixel(network.layout, slot.gradient().data());
+
+    auto p = doubles(network.parameters);
+    const auto loss = [&] {
+      double sum = 0;
+      for (int i = 0; i < n; ++i)
+        sum += reference::describe(network.layout, network.leak, p.data(), image_of(images, i)).error / n;
+      return sum;
+    };
+    EXPECT_NEAR(error / n, loss(), 1e-6);
+    Rng rng{Seed(5)};
+    for (const net::Layer& l : network.layout.layers) {
+      double squares = 0, differences = 0;
+      for (int k = 0; k < 12; ++k) {
+        const bool bias = k >= 9;
+        const net::Index i = bias ? l.bias + rng.below(static_cast<std::uint32_t>(l.outputs))
+                                  : l.kernel + rng.below(static_cast<std::uint32_t>(l.inputs)) * l.stride +
+                                        rng.below(static_cast<std::uint32_t>(l.outputs));
+        const auto at = static_cast<std::size_t>(i);
+        const double kept = p[at], step = 1e-6;
+        p[at] = kept + step;
+        const double above = loss();
+        p[at] = kept - step;
+        const double below = loss();
+        p[at] = kept;
+        const double expected = (above - below) / (2 * step), found = slot.gradient()[at];
+        squares += expected * expected;
+        differences += (found - expected) * (found - expected);
+        EXPECT_NEAR(found, expected, 1e-6 + 2e-3 * std::abs(expected))
+            << l.name << " parameter " << i - l.kernel;
+      }
+      EXPECT_GT(squares, 0) << l.name;
+      EXPECT_LT(std::sqrt(differences / squares), 2e-4) << l.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hbr
