@@ -1,0 +1,110 @@
+#include "models/simbody/refine_plane.h"
+
+#include <ceres/ceres.h>
+
+#include <cmath>
+
+namespace hbr {
+namespace {
+
+// Origin, azimuth, elevation, logarithm of the scale.
+using Pose = Eigen::Matrix<double, 6, 1>;
+constexpr double kMissed = 1e-3;  // m: the residuals' unit
+const Pose kLoose = (Pose() << .02, .02, .02, .1, .1, .05).finished();
+
+Pose pose_of(const DrawingPlane& plane) {
+  const Eigen::Vector3d looks = -plane.normal();
+  Pose pose;
+  pose << plane.origin, std::atan2(looks[1], looks[0]), std::asin(looks[2]), std::log(plane.scale);
+  return pose;
+}
+
+DrawingPlane plane_of(const Pose& pose) {
+  return DrawingPlane::facing(pose.head<3>(), pose[3], pose[4], std::exp(pose[5]));
+}
+
+// One residual for each point, the distance to the tip's reach, then six for the prior.
+class Missed final : public ceres::CostFunction {
+ public:
+  Missed(const Reach& reach, const std::vector<Eigen::Vector2d>& points, const Pose& start, Workers& workers)
+      : reach_(reach), points_(points), start_(start), workers_(workers) {
+    set_num_residuals(static_cast<int>(points.size()) + 6);
+    mutable_parameter_block_sizes()->push_back(6);
+  }
+
+  bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
+    const Pose pose = Eigen::Map<const Pose>(parameters[0]);
+    const DrawingPlane plane = plane_of(pose);
+    const std::size_t n = points_.size();
+    using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+    const bool wanted = jacobians && jacobians[0];
+    Eigen::Map<Jacobian> slopes(wanted ? jacobians[0] : nullptr,
+                                wanted ? static_cast<Eigen::Index>(n) + 6 : 0, 6);
+    workers_.for_each(n, [&](std::size_t i) {
+      const Eigen::Vector3d target = plane.to_robot(points_[i]);
+      const Eigen::Vector3d gap = reach_.nearest(target, 3, 1e-5).gap;
+      const double distance = gap.norm();
+      residuals[i] = distance / kMissed;
+      if (!wanted) return;
+      // The gradient of the distance to a set is the unit vector away from it, and 0 within.
+      const Eigen::Vector3d away =
+          distance > 1e-5 ? Eigen::Vector3d(gap / distance) : Eigen::Vector3d::Zero();
+      slopes.row(static_cast<Eigen::Index>(i)) = away.transpose() * moves(pose, points_[i]) / kMissed;
+    });
+    for (int k = 0; k < 6; ++k) {
+      residuals[n + k] = (pose[k] - start_[k]) / kLoose[k];
+      if (!wanted) continue;
+      slopes.row(static_cast<Eigen::Index>(n) + k).setZero();
+      slopes(static_cast<Eigen::Index>(n) + k, k) = 1 / kLoose[k];
+    }
+    return true;
+  }
+
+ private:
+  // Derivative of a target by the pose.
+  static Eigen::Matrix<double, 3, 6> moves(const Pose& pose, const Eigen::Vector2d& point) {
+    const double ca = std::cos(pose[3]), sa = std::sin(pose[3]), ce = std::cos(pose[4]),
+                 se = std::sin(pose[4]);
+    const double x = std::exp(pose[5]) * point[0], y = std::exp(pose[5]) * point[1];
+    Eigen::Matrix<double, 3, 6> d;
+    d.leftCols<3>().setIdentity();
+    d.col(3) = x * Eigen::Vector3d(ca, sa, 0) + y * Eigen::Vector3d(sa * se, -ca * se, 0);
+    d.col(4) = y * Eigen::Vector3d(-ca * ce, -sa * ce, -se);
+    d.col(5) = x * Eigen::Vector3d(sa, -ca, 0) + y * Eigen::Vector3d(-ca * se, -sa * se, ce);
+    return d;
+  }
+
+  const Reach& reach_;
+  const std::vector<Eigen::Vector2d>& points_;
+  Pose start_;
+  Workers& workers_;
+};
+
+}  // namespace
+
+DrawingPlane refine_plane(const RobotOnPlane& robot, const Reach& reach,
+                          const std::vector<Eigen::Vector2d>& points, Workers& workers) {
+  const Pose start = pose_of(robot.plane());
+  Pose pose = start;
+  ceres::Problem problem;
+  problem.AddResidualBlock(new Missed(reach, points, start, workers), nullptr, pose.data());
+  ceres::Solver::Options options;
+  options.max_num_iterations = 15;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  options.function_tolerance = 1e-3;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return plane_of(pose);
+}
+
+std::vector<double> distances_to_reach(const RobotOnPlane& robot, const Reach& reach,
+                                       const std::vector<Eigen::Vector2d>& points, Workers& workers) {
+  std::vector<double> distances(points.size());
+  workers.for_each(points.size(), [&](std::size_t i) {
+    distances[i] = reach.nearest(robot.plane().to_robot(points[i]), 8, 1e-5).gap.norm();
+  });
+  return distances;
+}
+
+}  // namespace hbr

@@ -1,0 +1,25 @@
+// Places a robot's drawing plane so that it reaches the arm's area.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "models/simbody/reach.h"
+#include "models/simbody/robot_on_plane.h"
+#include "pipeline/core/parallel.h"
+
+namespace hbr {
+
+// Moves origin, direction and scale of the robot's plane (Ceres, Levenberg-Marquardt) so that the sum of the
+// squared distances between `points` (drawing frame, m) on the plane and the tip's reach becomes least; the
+// plane's start is a weak prior (2 cm, 0.1 rad, 5 % of the scale weigh as much as one point missed by 1 mm).
+// The drawing stays upright (see DrawingPlane::facing). The start must be such a plane.
+DrawingPlane refine_plane(const RobotOnPlane& robot, const Reach& reach,
+                          const std::vector<Eigen::Vector2d>& points, Workers& workers);
+
+// Of each point: the distance in metres of the robot between the point on its plane and the nearest position
+// of the tip.
+std::vector<double> distances_to_reach(const RobotOnPlane& robot, const Reach& reach,
+                                       const std::vector<Eigen::Vector2d>& points, Workers& workers);
+
+}  // namespace hbr

@@ -1,0 +1,39 @@
+// A Simbody body that draws on a plane.
+#pragma once
+
+#include <memory>
+
+#include "models/simbody/body.h"
+#include "models/simbody/drawing_plane.h"
+#include "models/simbody/robot_settings.h"
+
+namespace hbr {
+
+class RobotOnPlane final : public Robot {
+ public:
+  // The pen is the origin of the link `tip`. Throws InputError for an unknown tip or a moving joint of the
+  // body that does not move it.
+  RobotOnPlane(std::string name, std::shared_ptr<const Body> body, const std::string& tip,
+               const DrawingPlane& plane);
+
+  std::string name() const override { return name_; }
+  const Eigen::VectorXd& lower() const override { return body_->lower(); }
+  const Eigen::VectorXd& upper() const override { return body_->upper(); }
+  // Positions in metres of the arm, off_plane in metres of the robot (positive on the robot's side).
+  void pens(Eigen::Index n, const double* joints, Pen* pens) const override;
+
+  const Body& body() const { return *body_; }
+  const DrawingPlane& plane() const { return plane_; }
+  int tip() const { return tip_; }
+
+ private:
+  std::string name_;
+  std::shared_ptr<const Body> body_;
+  int tip_;
+  DrawingPlane plane_;
+};
+
+// The robot of a profile's table on that plane: its drawing joints move, all others rest.
+RobotOnPlane make_robot(const RobotSettings& settings, const DrawingPlane& plane);
+
+}  // namespace hbr
