@@ -1,0 +1,57 @@
+// NAO's drawing plane: it covers the arm's area, and a start that does not is mended.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "models/simbody/refine_plane.h"
+
+namespace hbr {
+namespace {
+
+// What the planar arm reaches of its disc: for x < 0 only within 7/8 of its length of (0, +-1/8 of it).
+std::vector<Eigen::Vector2d> arm_area(double spacing) {
+  const double r = .5815;
+  std::vector<Eigen::Vector2d> points;
+  for (double x = -r; x <= r; x += spacing)
+    for (double y = -r; y <= r; y += spacing)
+      if (std::hypot(x, y) <= r && (x >= 0 || std::hypot(x, std::abs(y) - r / 8) <= 7 * r / 8))
+        points.push_back({x, y});
+  return points;
+}
+
+RobotSettings nao() {
+  RobotSettings s;
+  s.name = "nao";
+  s.urdf = HBR_SOURCE_DIR "/models/nao/nao.urdf";
+  s.tip_link = "r_gripper";
+  s.joints = {"RShoulderPitch", "RShoulderRoll", "RElbowYaw", "RElbowRoll"};
+  return s;
+}
+
+double covered(const DrawingPlane& plane, const std::vector<Eigen::Vector2d>& points) {
+  const RobotOnPlane robot = make_robot(nao(), plane);
+  const Reach reach(robot.body(), robot.tip(), 20000, 0, Seed(1));
+  Workers workers(2);
+  double count = 0;
+  for (const double distance : distances_to_reach(robot, reach, points, workers)) count += distance < 1e-3;
+  return count / double(points.size());
+}
+
+TEST(NaoPlane, RefinementCoversTheArmsArea) {
+  const double rad = std::numbers::pi / 180;
+  const auto fit = arm_area(.08), all = arm_area(.05);
+  Workers workers(2);
+  const auto refined = [&](const DrawingPlane& start) {
+    const RobotOnPlane robot = make_robot(nao(), start);
+    const Reach reach(robot.body(), robot.tip(), 20000, .05, Seed(2));
+    return refine_plane(robot, reach, fit, workers);
+  };
+  const DrawingPlane good = DrawingPlane::facing({.143, -.152, .090}, -21.9 * rad, -4 * rad, .258);
+  EXPECT_EQ(covered(refined(good), all), 1);
+  const DrawingPlane bad = DrawingPlane::facing({.122, -.204, .090}, -39 * rad, -4 * rad, .258);
+  EXPECT_LT(covered(bad, all), .9);
+  EXPECT_GT(covered(refined(bad), all), .995);
+}
+
+}  // namespace
+}  // namespace hbr
