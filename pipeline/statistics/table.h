@@ -1,26 +1,22 @@
-// What an experiment measured, with medians, tests and curves: the contents of statistics.json.
+// What an experiment measured, with medians, tests and curves: the contents of statistics.json, an object of
 //
-// {
-//  "profile": name,
-//  "quantities": one value per replication
-//    {"layer2.n10.size": {"unit", "meaning", "values": [...], "replications": [...], "n", "median", "q1",
-//    "q3",
-//                         "min", "max"}},
-//  "tests": rank-sum tests between two quantities
-//    {"A_vs_B": {"a": A, "b": B, "n_a", "n_b", "p", "p_exact" (where computed), "least_p" (the floor of p at
-//                these sizes), "a12", "ratio" (of medians, a over b; absent where that of b is 0),
-//                "difference" (of medians, a less b)}},
-//  "numbers": single figures {"layer2.n10.generations": {"unit", "meaning", "value"}},
-//  "boxes": all values of all replications together, as a boxplot draws them
-//    {"substitution.m1.original": {"unit", "meaning", "n", "median", "q1", "q3", "low", "high", "below",
-//    "above",
-//                                  "min", "max"}},
-//  "curves": the course of searches and trainings, over the replications
-//    {"layer4": {"x": "generation", "at": [...], "n", "size": {"median", "q1", "q3"}, "best": ..., "mean":
-//    ...}}
-// }
+// profile     its name
+// quantities  "layer2.n10.size": {unit, meaning, values, replications, n, median, q1, q3, min, max}
+//             one value per replication
+// tests       "A_vs_B": {a: "A", b: "B", n_a, n_b, p, p_exact, least_p, a12, ratio, difference}
+//             rank-sum test between the quantities A and B; p_exact where it was computed; least_p is the
+//             least p at these sizes; ratio and difference of the medians are a over b (absent where that of
+//             b is 0) and a less b
+// numbers     "layer2.n10.generations": {unit, meaning, value}
+// boxes       "substitution.m1.original": {unit, meaning, n, median, q1, q3, low, high, below, above, min,
+// max}
+//             all values of all replications together; low and high end the whiskers, below and above count
+//             the outliers
+// curves      "layer4": {x: "generation", at, n, size: {median, q1, q3}, best: {...}, mean: {...}}
+//             over the replications; for "autoencoder" {x: "epoch", ..., train_error, test_error}
 //
-// Keys are sorted; there is no time, host or path: equal artifacts give equal bytes.
+// A unit "%" says that the value is a share, to be shown in per cent. Keys are sorted; there is no time, host
+// or path: equal artifacts give equal bytes.
 #pragma once
 
 #include <map>

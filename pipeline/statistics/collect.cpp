@@ -1,0 +1,71 @@
+#include "pipeline/statistics/collect.h"
+
+#include "pipeline/statistics/readers.h"
+
+namespace hbr {
+namespace {
+
+// The last word of a quantity's name is what was measured, the rest whose it is.
+struct Split {
+  std::string subject, measure;
+};
+
+Split split_last(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  return {name.substr(0, dot), name.substr(dot + 1)};
+}
+
+std::string first_word(const std::string& name) { return name.substr(0, name.find('.')); }
+
+// Subjects of one family are compared with each other by every measure they share.
+std::string family(const Split& name) {
+  const std::string head = first_word(name.subject);
+  if (name.measure == "evaluations") return "";
+  if (head == "layer2" || head == "reference4d") return name.measure == "size" ? "lines" : "";  // no fitness
+  if (head == "layer3" || head == "flat_arcs") return "arcs";
+  if (head == "layer4" || head == "flat_digits") return "drawings";
+  if (head == "accuracy") return "accuracy";
+  if (head == "digits") return "digits";
+  if (head == "substitution") return name.subject;
+  return "";
+}
+
+void add_tests(StatisticsTable& table) {
+  const std::vector<std::string> names = table.names();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Split a = split_last(names[i]);
+    if (family(a).empty()) continue;
+    for (std::size_t j = i + 1; j < names.size(); ++j) {
+      const Split b = split_last(names[j]);
+      // Of accuracies and substitutions the last word is whose it is.
+      const bool comparable =
+          family(a) == "accuracy" || first_word(a.subject) == "substitution" || a.measure == b.measure;
+      if (family(a) == family(b) && comparable) table.test(names[i], names[j]);
+    }
+  }
+}
+
+}  // namespace
+
+nlohmann::json collect_statistics(const std::string& profile,
+                                  const std::map<std::string, std::filesystem::path>& inputs) {
+  Artifacts artifacts;
+  for (const auto& [name, path] : inputs) {
+    const ArtifactName parsed = parse_artifact_name(name);
+    artifacts[parsed.head].push_back({parsed, path});
+  }
+  StatisticsTable table(profile);
+  read_searches(artifacts, table);
+  read_autoencoders(artifacts["autoencoder"], table);
+  read_judge(artifacts["judge"], table);
+  read_accuracy(artifacts["accuracy"], table);
+  read_arc_quality(artifacts["arc_quality"], table);
+  read_substitution(artifacts["substitution"], table);
+  read_digits(artifacts["digits"], table);
+  read_transfer(artifacts["transfer"], table);
+  read_planes(artifacts["plane"], table);
+  add_tests(table);
+  return table.json();
+}
+
+}  // namespace hbr

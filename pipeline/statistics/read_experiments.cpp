@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <string_view>
+
+#include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/core/check.h"
+#include "pipeline/statistics/readers.h"
+#include "pipeline/statistics/summary.h"
+
+namespace hbr {
+namespace {
+
+std::vector<double> read_values(const Hdf5Reader& file, const std::string& name) {
+  const Array<float> array = file.read<float>(name);
+  if (array.values.empty())
+    throw InputError("{}: array {} is empty; expected at least one value", file.path().string(), name);
+  return {array.values.begin(), array.values.end()};
+}
+
+// "layer2_n10" and "n10" alike.
+std::string without_layer(const std::string& name) {
+  return name.starts_with("layer") && name.find('_') != std::string::npos ? name.substr(name.find('_') + 1)
+                                                                          : name;
+}
+
+}  // namespace
+
+void read_accuracy(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  for (const Artifact& artifact : artifacts) {
+    const Hdf5Reader file(artifact.path);
+    for (const std::string& name : file.children("/")) {
+      const std::vector<double> errors = read_values(file, name + "/squared_error");
+      table.add("accuracy." + without_layer(name), artifact.name.replication,
+                summarise(errors, name.c_str()).median);
+      table.number("accuracy.requests", static_cast<double>(errors.size()));
+    }
+  }
+}
+
+void read_arc_quality(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  for (const Artifact& artifact : artifacts) {
+    const Hdf5Reader file(artifact.path);
+    for (const std::string& name : file.children("/")) {
+      const bool flat = name.starts_with("flat");
+      const std::string subject = flat ? "flat_arcs" : "layer3." + without_layer(name);
+      table.add(subject + ".fresh_mean", artifact.name.replication, mean(read_values(file, name + "/fresh")));
+    }
+  }
+}
+
+void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  std::map<std::string, std::vector<double>> pooled;
+  for (const Artifact& artifact : artifacts) {
+    const Hdf5Reader file(artifact.path);
+    for (const char* layer : {"original", "substitute"}) {
+      const Array<float> metrics = file.read<float>(layer);
+      if (metrics.shape.size() != 2 || metrics.shape[1] != 3 || metrics.values.empty())
+        throw InputError("{}: array {} is not n x 3 with n > 0", artifact.path.string(), layer);
+      for (std::size_t m = 0; m < 3; ++m) {
+        std::vector<double> values;
+        for (std::size_t i = m; i < metrics.values.size(); i += 3) values.push_back(metrics.values[i]);
+        const std::string name = fmt::format("substitution.m{}.{}", m + 1, layer);
+        table.add(name, artifact.name.replication, summarise(values, name.c_str()).median);
+        pooled[name].insert(pooled[name].end(), values.begin(), values.end());
+      }
+    }
+  }
+  for (const auto& [name, values] : pooled) table.box(name, values);
+}
+
+void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  std::map<std::string, std::vector<double>> pooled;
+  for (const Artifact& artifact : artifacts) {
+    const Hdf5Reader file(artifact.path);
+    for (const char* difference : {"absolute", "squared"}) {
+      const std::string name = fmt::format("{}.{}", artifact.name.prefix(), difference);
+      const std::vector<double> values = read_values(file, difference);
+      table.add(name, artifact.name.replication, summarise(values, name.c_str()).median);
+      pooled[name].insert(pooled[name].end(), values.begin(), values.end());
+    }
+  }
+  for (const auto& [name, values] : pooled) {
+    table.box(name, values);
+    const Box b = box(values, name.c_str());
+    const auto n = static_cast<double>(b.all.n);
+    table.number(name + "_median", b.all.median);
+    table.number(name + "_low", b.low);
+    table.number(name + "_high", b.high);
+    table.number(name + "_outliers", static_cast<double>(b.above) / n);
+    table.number(name.substr(0, name.rfind('.')) + ".images", n);
+  }
+}
+
+void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  for (const Artifact& artifact : artifacts)
+    table.number(artifact.name.prefix() + ".covered", Hdf5Reader(artifact.path).number_attribute("covered"));
+}
+
+}  // namespace hbr

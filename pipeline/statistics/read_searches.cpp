@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <optional>
+
+#include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/artifact/repertoire_file.h"
+#include "pipeline/core/check.h"
+#include "pipeline/statistics/curves.h"
+#include "pipeline/statistics/readers.h"
+#include "pipeline/statistics/summary.h"
+
+namespace hbr {
+namespace {
+
+struct Search {
+  ArtifactName name;
+  std::vector<ProgressRow> progress;  // ascending generations, not empty
+};
+
+Search read_search(const Artifact& artifact, StatisticsTable& table) {
+  Search search{artifact.name, read_progress(artifact.path)};
+  if (search.progress.empty())
+    throw InputError("{}: progress/generation is empty; expected at least one row", artifact.path.string());
+  const Hdf5Reader file(artifact.path);
+  const Array<float> objective = file.read<float>("objective");
+  const std::vector<double> fitness(objective.values.begin(), objective.values.end());
+  if (fitness.empty()) throw InputError("{}: no elites; expected at least one", artifact.path.string());
+
+  const std::string prefix = artifact.name.prefix();
+  const int replication = artifact.name.replication;
+  table.add(prefix + ".size", replication, static_cast<double>(fitness.size()));
+  table.add(prefix + ".best", replication, *std::ranges::max_element(fitness));
+  table.add(prefix + ".mean", replication, mean(fitness));
+  table.add(prefix + ".evaluations", replication, static_cast<double>(search.progress.back().evaluations));
+  table.number(prefix + ".generations", static_cast<double>(search.progress.back().generation));
+  table.number(prefix + ".genes", static_cast<double>(file.read<float>("solution").shape.at(1)));
+  return search;
+}
+
+// The course of a search up to `generations`: the row that a search stopped there would end with.
+const ProgressRow& row_at(const Search& search, std::int64_t generations) {
+  const auto after = std::ranges::upper_bound(search.progress, generations, {}, &ProgressRow::generation);
+  return after == search.progress.begin() ? *after : *(after - 1);
+}
+
+// A flat baseline runs longer than the layer it is compared with: compare also where both had as many
+// generations.
+void compare_at_equal_generations(const std::vector<const Search*>& family, StatisticsTable& table) {
+  std::optional<std::int64_t> shortest;
+  for (const Search* search : family) {
+    const std::int64_t last = search->progress.back().generation;
+    shortest = std::min(shortest.value_or(last), last);
+  }
+  for (const Search* search : family) {
+    const ProgressRow& row = row_at(*search, *shortest);
+    const std::string prefix = search->name.prefix();
+    const int replication = search->name.replication;
+    table.add(prefix + ".equal_size", replication, static_cast<double>(row.size));
+    table.add(prefix + ".equal_best", replication, row.best);
+    table.add(prefix + ".equal_mean", replication, row.mean);
+    const auto covered = std::ranges::find_if(search->progress, [&](const ProgressRow& r) {
+      return static_cast<double>(r.size) >= 0.9 * static_cast<double>(row.size);
+    });
+    table.add(prefix + ".covering_generations", replication, static_cast<double>(covered->generation));
+  }
+}
+
+void add_curves(const std::vector<const Search*>& replications, StatisticsTable& table) {
+  std::vector<Course> size, best, mean;
+  for (const Search* search : replications) {
+    Course s, b, m;
+    for (const ProgressRow& row : search->progress) {
+      const auto at = static_cast<double>(row.generation);
+      s.emplace_back(at, static_cast<double>(row.size));
+      b.emplace_back(at, row.best);
+      m.emplace_back(at, row.mean);
+    }
+    size.push_back(s), best.push_back(b), mean.push_back(m);
+  }
+  const std::string prefix = replications.front()->name.prefix();
+  add_curve(table, prefix, "generation", "size", size);
+  add_curve(table, prefix, "generation", "best", best);
+  add_curve(table, prefix, "generation", "mean", mean);
+}
+
+// The paper gives one size for all its variants of layer 2.
+void add_pooled_size(StatisticsTable& table, const std::vector<Search>& searches) {
+  std::vector<double> sizes;
+  for (const Search& search : searches)
+    if (search.name.head == "layer2") sizes.push_back(static_cast<double>(search.progress.back().size));
+  if (!sizes.empty()) table.number("pooled.layer2_size", summarise(sizes, "pooled.layer2_size").median);
+}
+
+// What the whole hierarchy searches, beside a flat genome: points, lines and arcs by controller B.
+void add_hierarchy_genes(StatisticsTable& table, const std::vector<Search>& searches) {
+  const nlohmann::json numbers = table.json()["numbers"];
+  const auto genes = [&](const std::string& name) { return numbers[name + ".genes"]["value"].get<double>(); };
+  const auto line = std::ranges::find(searches, "layer2", [](const Search& s) { return s.name.head; });
+  if (line == searches.end() || !numbers.contains("layer1.genes") || !numbers.contains("layer3.b.genes"))
+    return;
+  table.number("genes.hierarchy", genes("layer1") + genes(line->name.prefix()) + genes("layer3.b"));
+}
+
+}  // namespace
+
+void read_searches(const Artifacts& artifacts, StatisticsTable& table) {
+  std::vector<Search> searches;
+  for (const auto& [head, list] : artifacts)
+    if (is_search(head))
+      for (const Artifact& artifact : list) searches.push_back(read_search(artifact, table));
+
+  std::map<std::string, std::vector<const Search*>> by_prefix;
+  for (const Search& search : searches) by_prefix[search.name.prefix()].push_back(&search);
+  for (const auto& [prefix, replications] : by_prefix) add_curves(replications, table);
+
+  for (const auto& [layer, flat] : {std::pair{"layer3", "flat_arcs"}, std::pair{"layer4", "flat_digits"}}) {
+    std::vector<const Search*> family;
+    for (const Search& search : searches)
+      if (search.name.head == layer || search.name.head == flat) family.push_back(&search);
+    compare_at_equal_generations(family, table);
+  }
+  add_pooled_size(table, searches);
+  add_hierarchy_genes(table, searches);
+}
+
+}  // namespace hbr

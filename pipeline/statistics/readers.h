@@ -1,0 +1,31 @@
+// One reader per kind of artifact: each puts the statistics of all artifacts of its kind into the table.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "pipeline/statistics/names.h"
+#include "pipeline/statistics/table.h"
+
+namespace hbr {
+
+struct Artifact {
+  ArtifactName name;
+  std::filesystem::path path;
+};
+// By head ("layer2"), each list in the order of its artifacts' names.
+using Artifacts = std::map<std::string, std::vector<Artifact>>;
+
+void read_searches(const Artifacts& artifacts, StatisticsTable& table);
+void read_autoencoders(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_judge(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_accuracy(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_arc_quality(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+
+}  // namespace hbr

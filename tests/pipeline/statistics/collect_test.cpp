@@ -1,0 +1,214 @@
+#include "pipeline/statistics/collect.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+#include <set>
+
+#include "pipeline/core/check.h"
+#include "pipeline/statistics/names.h"
+#include "tests/support/synthetic_experiment.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+using nlohmann::json;
+
+const std::string kSample = std::string(HBR_SOURCE_DIR) + "/tests/reports/fixtures/statistics.json";
+
+// The sample that the report's tests read is what this code makes. HBR_UPDATE_FIXTURES=1 writes it anew.
+TEST(Collect, SampleOfTheReportIsUpToDate) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 3);
+  experiment.everything(20);
+  const json found = collect_statistics("reduced", experiment.artifacts());
+  if (std::getenv("HBR_UPDATE_FIXTURES")) std::ofstream(kSample) << found.dump(1) << '\n';
+  const json expected = json::parse(std::ifstream(kSample)).flatten(), flat = found.flatten();
+  ASSERT_EQ(expected.size(), flat.size());
+  for (const auto& [key, value] : expected.items()) {
+    ASSERT_TRUE(flat.contains(key)) << key;
+    if (value.is_number())
+      EXPECT_NEAR(value.get<double>(), flat[key].get<double>(), 1e-9 * std::abs(value.get<double>())) << key;
+    else
+      EXPECT_EQ(value, flat[key]) << key;
+  }
+  EXPECT_EQ(found.dump(), collect_statistics("reduced", experiment.artifacts()).dump());
+  for (const char* section : {"quantities", "numbers", "boxes"})
+    for (const auto& [name, value] : found[section].items()) EXPECT_TRUE(meaning_of(name)) << name;
+}
+
+TEST(Collect, NothingComesOfNothing) {
+  const json found = collect_statistics("empty", {});
+  for (const char* section : {"quantities", "numbers", "tests", "boxes", "curves"})
+    EXPECT_EQ(found[section], json::object()) << section;
+}
+
+TEST(Collect, SearchesBySizeBestAndMean) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 2);
+  experiment.search("layer2_n10", 40, 2, -0.1, -0.5, 100);
+  const json found = collect_statistics("tiny", experiment.artifacts());
+  for (int r = 0; r < 2; ++r) {
+    const Elites elites = read_elites(folder.path() / fmt::format("layer2_n10/{:02}.h5", r));
+    const auto values = [&](const char* name) {
+      return found["quantities"][std::string("layer2.n10.") + name]["values"][static_cast<std::size_t>(r)]
+          .get<double>();
+    };
+    EXPECT_EQ(values("size"), static_cast<double>(elites.size()));
+    EXPECT_FLOAT_EQ(static_cast<float>(values("best")), elites.objective.maxCoeff());
+    EXPECT_FLOAT_EQ(static_cast<float>(values("mean")), elites.objective.mean());
+    EXPECT_EQ(values("evaluations"), 20000);
+  }
+  EXPECT_EQ(found["numbers"]["layer2.n10.generations"]["value"], 100);
+  EXPECT_EQ(found["numbers"]["layer2.n10.genes"]["value"], 2);
+  EXPECT_EQ(found["curves"]["layer2.n10"]["at"].size(), 21u);
+}
+
+// The flat baseline runs three times longer: what it had at the end of layer 3 is in its course.
+TEST(Collect, EqualGenerationsOfLayerAndBaseline) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 1);
+  experiment.search("layer3_n1", 40, 10, -0.1, -0.5, 100);
+  experiment.search("flat_arcs", 40, 40, -0.2, -0.9, 300);
+  const json found = collect_statistics("tiny", experiment.artifacts())["quantities"];
+  const auto flat = read_progress(folder.path() / "flat_arcs/00.h5");
+  const auto layer = read_progress(folder.path() / "layer3_n1/00.h5");
+  const ProgressRow& row = flat[6];  // 90 of 300; the next is 105
+  ASSERT_EQ(row.generation, 90);
+  EXPECT_EQ(found["flat_arcs.equal_size"]["median"], static_cast<double>(row.size));
+  EXPECT_EQ(found["flat_arcs.equal_best"]["median"], row.best);
+  EXPECT_EQ(found["flat_arcs.equal_mean"]["median"], row.mean);
+  EXPECT_EQ(found["layer3.n1.equal_mean"]["median"], layer.back().mean);
+  std::int64_t covered = -1;
+  for (const ProgressRow& r : flat)
+    if (covered < 0 && static_cast<double>(r.size) >= 0.9 * static_cast<double>(row.size))
+      covered = r.generation;
+  EXPECT_EQ(found["flat_arcs.covering_generations"]["median"], static_cast<double>(covered));
+}
+
+TEST(Collect, MediansOfAccuracyAndSubstitution) {
+  TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "accuracy");
+  Hdf5Writer accuracy(folder.path() / "accuracy/00.h5");
+  accuracy.write("layer2_n10/squared_error", std::vector<float>{4, 1, 2});
+  accuracy.write("reference_endpoint/squared_error", std::vector<float>{8, 6, 4});
+  accuracy.close();
+  Hdf5Writer substitution(folder.path() / "s.h5");
+  substitution.write("original", Array<float>{{2, 3}, {1, 2, 3, 3, 4, 5}});
+  substitution.write("substitute", Array<float>{{1, 3}, {7, 8, 9}});
+  substitution.close();
+  const json found = collect_statistics("tiny", {{"accuracy/00.h5", folder.path() / "accuracy/00.h5"},
+                                                 {"substitution/04.h5", folder.path() / "s.h5"}});
+  EXPECT_EQ(found["quantities"]["accuracy.n10"]["values"], (std::vector<double>{2}));
+  EXPECT_EQ(found["quantities"]["substitution.m2.original"]["median"], 3);
+  EXPECT_EQ(found["quantities"]["substitution.m2.original"]["replications"], (std::vector<int>{4}));
+  EXPECT_EQ(found["quantities"]["substitution.m3.substitute"]["median"], 9);
+  EXPECT_EQ(found["boxes"]["substitution.m1.original"]["n"], 2);
+  EXPECT_EQ(found["numbers"]["accuracy.requests"]["value"], 3);
+  std::vector<std::string> tests;
+  for (const auto& [name, test] : found["tests"].items()) tests.push_back(name);
+  EXPECT_THAT(tests, testing::ElementsAre("accuracy.n10_vs_accuracy.reference_endpoint",
+                                          "substitution.m1.original_vs_substitution.m1.substitute",
+                                          "substitution.m2.original_vs_substitution.m2.substitute",
+                                          "substitution.m3.original_vs_substitution.m3.substitute"));
+}
+
+TEST(Collect, TransferWithoutItsOutliers) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 2);
+  experiment.transfer("nao", 100);
+  const json found = collect_statistics("tiny", experiment.artifacts());
+  const auto number = [&](const std::string& name) {
+    return found["numbers"]["transfer.nao." + name]["value"].get<double>();
+  };
+  EXPECT_EQ(number("images"), 200);
+  EXPECT_DOUBLE_EQ(number("absolute_outliers"), 4.0 / 200);
+  EXPECT_NEAR(number("absolute_median"), 0.0092, 0.001);
+  EXPECT_LT(number("absolute_high"), 0.02);
+  EXPECT_NEAR(number("squared_high"), number("absolute_high") / 3, 1e-9);
+  EXPECT_EQ(found["quantities"]["transfer.nao.absolute"]["unit"], "%");
+  EXPECT_FLOAT_EQ(found["boxes"]["transfer.nao.absolute"]["max"].get<float>(), 0.08f);
+}
+
+// Measures of the drawings against their definitions, pair by pair.
+TEST(Collect, DigitsAgainstTheirDefinitions) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 1);
+  experiment.digits(60, 0.5, 0.3);
+  const json found = collect_statistics("tiny", experiment.artifacts())["quantities"];
+  const auto value = [&](const std::string& name) {
+    return found["digits.hbr." + name]["median"].get<double>();
+  };
+
+  const Hdf5Reader file(folder.path() / "digits/00.h5");
+  const auto image = file.read<std::uint8_t>("hbr/image").values;
+  const auto z = file.read<float>("hbr/measures").values;
+  const auto label = file.read<std::uint8_t>("hbr/label").values;
+  const auto good = file.read<std::uint8_t>("hbr/good").values;
+  const std::size_t n = label.size();
+  const auto difference = [&](std::size_t i, std::size_t j) {
+    double sum = 0;
+    for (std::size_t p = 0; p < 784; ++p) sum += std::abs(image[784 * i + p] - image[784 * j + p]) / 255.0;
+    return sum / 784;
+  };
+  double pairs = 0, neighbours = 0;
+  std::set<std::pair<int, int>> cells;
+  std::vector<int> goods(10);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t nearest = i;
+    double least = 1e9;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (j == i) continue;
+      if (j < i) pairs += difference(i, j);
+      const double distance = std::hypot(z[2 * i] - z[2 * j], z[2 * i + 1] - z[2 * j + 1]);
+      if (distance < least) least = distance, nearest = j;
+    }
+    neighbours += difference(i, nearest);
+    int row = 0, column = 0;
+    while (static_cast<double>(z[2 * i]) >= -1 + 0.1 * (row + 1)) ++row;
+    while (static_cast<double>(z[2 * i + 1]) >= -1 + 0.1 * (column + 1)) ++column;
+    cells.emplace(row, column);
+    if (good[i]) goods[label[i]] += 1;
+  }
+  const double pair_count = 0.5 * static_cast<double>(n * (n - 1));
+  EXPECT_NEAR(value("pair_difference"), pairs / pair_count, 1e-12);
+  EXPECT_NEAR(value("neighbour_difference"), neighbours / static_cast<double>(n), 1e-12);
+  EXPECT_DOUBLE_EQ(value("cells"), static_cast<double>(cells.size()) / 400);
+  const int all = std::accumulate(goods.begin(), goods.end(), 0);
+  EXPECT_DOUBLE_EQ(value("good"), all / static_cast<double>(n));
+  EXPECT_DOUBLE_EQ(value("good_01"), (goods[0] + goods[1]) / 12.0);
+  EXPECT_DOUBLE_EQ(value("classes"),
+                   static_cast<double>(std::ranges::count_if(goods, [](int g) { return g >= 3; })));
+  EXPECT_DOUBLE_EQ(value("good_of_class.4"), goods[4]);
+  EXPECT_DOUBLE_EQ(value("rarest"), 10.0 * std::ranges::min(goods) / all);
+}
+
+TEST(Collect, RefusesWhatIsNotAsDescribed) {
+  TemporaryFolder folder;
+  const auto refuses = [&](const std::string& name, const auto& fill) {
+    const std::filesystem::path path = folder.path() / "bad.h5";
+    Hdf5Writer file(path);
+    fill(file);
+    file.close();
+    EXPECT_THROW(collect_statistics("tiny", {{name, path}}), InputError) << name;
+  };
+  refuses("layer1/00.h5", [](Hdf5Writer&) {});
+  refuses("accuracy/00.h5", [](Hdf5Writer& f) { f.write("n1/squared_error", std::vector<float>{}); });
+  refuses("accuracy/00.h5", [](Hdf5Writer& f) { f.write("n1/squared_error", std::vector<float>{NAN}); });
+  refuses("substitution/00.h5", [](Hdf5Writer& f) { f.write("original", std::vector<float>{1, 2, 3}); });
+  refuses("judge.h5", [](Hdf5Writer&) {});
+  refuses("nao_transfer/00.h5", [](Hdf5Writer& f) { f.write("absolute", std::vector<double>{1}); });
+  refuses("digits/00.h5", [](Hdf5Writer& f) {
+    f.write("hbr/image", Array<std::uint8_t>{{1, 28, 28}, std::vector<std::uint8_t>(784)});
+  });
+  EXPECT_THROW(collect_statistics("tiny", {{"layer9/00.h5", "nowhere"}}), InputError);
+  EXPECT_THROW(collect_statistics("tiny", {{"layer1/00.h5", "nowhere"}}), InputError);
+}
+
+}  // namespace
+}  // namespace hbr
