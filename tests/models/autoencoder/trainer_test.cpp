@@ -1,0 +1,213 @@
+// Training: same bytes for any number of threads and after an interruption, the cut, collapse.
+#include "models/autoencoder/trainer.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "models/autoencoder/adam.h"
+#include "models/autoencoder/collapse.h"
+#include "pipeline/core/check.h"
+#include "tests/models/autoencoder/images.h"
+
+namespace hbr {
+namespace {
+
+using testing::HasSubstr;
+
+// Strokes with made-up labels.
+struct Set {
+  Set(int n, std::uint64_t seed) : pixels(stroke_images(n, Seed(seed))) {
+    for (int i = 0; i < n; ++i) labels.push_back(static_cast<std::uint8_t>(i % 10));
+  }
+  ImageSet set() const { return {static_cast<std::int64_t>(labels.size()), pixels.data(), labels.data()}; }
+
+  std::vector<std::uint8_t> pixels, labels;
+};
+
+AutoencoderSettings small(int epochs) {
+  AutoencoderSettings s;
+  s.epochs = epochs;
+  s.batch = 50;  // two slots of 32 and 18 images
+  s.halve_every = 2;
+  s.cut_after = 2;
+  return s;
+}
+
+std::string failure(const AutoencoderSettings& settings, const ImageSet& train, const ImageSet& test,
+                    const TrainingHooks& hooks = {}) {
+  Workers workers(1);
+  try {
+    train_autoencoder(settings, Seed(1), train, test, workers, hooks);
+    return "trained";
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+TEST(Trainer, LearnsAFewImages) {
+  Set train(160, 1);
+  for (std::size_t i = 4 * 784; i < train.pixels.size(); ++i) train.pixels[i] = train.pixels[i % (4 * 784)];
+  AutoencoderSettings settings = small(20);
+  settings.batch = 16;
+  settings.halve_every = 100;
+  settings.cut_after = 0;
+  Workers workers(1);
+  const auto trained = train_autoencoder(settings, Seed(1), train.set(), train.set(), workers);
+  ASSERT_EQ(trained.epochs.size(), 20u);
+  EXPECT_LT(trained.epochs.back().train_error, 0.3 * trained.epochs.front().train_error);
+  EXPECT_LT(trained.epochs.back().test_error, 0.3 * trained.epochs.front().test_error);
+  EXPECT_THAT(trained.kept_per_class, testing::Each(1.));
+}
+
+TEST(Trainer, ThreadsLeaveNoTrace) {
+  const Set train(130, 1), test(40, 2);
+  Workers one(1), three(3);
+  const auto a = train_autoencoder(small(3), Seed(1), train.set(), test.set(), one);
+  const auto b = train_autoencoder(small(3), Seed(1), train.set(), test.set(), three);
+  EXPECT_EQ(a.autoencoder.network().parameters, b.autoencoder.network().parameters);
+  for (std::size_t e = 0; e < 3; ++e) {
+    EXPECT_EQ(a.epochs[e].train_error, b.epochs[e].train_error);
+    EXPECT_EQ(a.epochs[e].test_error, b.epochs[e].test_error);
+  }
+  const auto other = train_autoencoder(small(3), Seed(2), train.set(), test.set(), one);
+  EXPECT_NE(a.autoencoder.network().parameters, other.autoencoder.network().parameters);
+}
+
+TEST(Trainer, GoesOnFromACheckpointToTheSameBytes) {
+  const Set train(100, 1), test(40, 2);
+  Workers workers(1);
+  TrainingHooks hooks;
+  hooks.checkpoint = std::filesystem::path(testing::TempDir()) / "autoencoder_checkpoint.h5";
+  std::filesystem::remove(hooks.checkpoint);
+  const auto whole = train_autoencoder(small(5), Seed(1), train.set(), test.set(), workers);
+
+  struct Killed {};
+  for (int killed_after : {1, 3}) {
+    hooks.on_epoch = [&](const EpochReport& e) {
+      if (e.epoch == killed_after) throw Killed();
+    };
+    EXPECT_THROW(train_autoencoder(small(5), Seed(1), train.set(), test.set(), workers, hooks), Killed);
+  }
+  std::vector<int> epochs;
+  std::vector<std::string> messages;
+  hooks.on_epoch = [&](const EpochReport& e) { epochs.push_back(e.epoch); };
+  hooks.on_message = [&](const std::string& line) { messages.push_back(line); };
+  const auto resumed = train_autoencoder(small(5), Seed(1), train.set(), test.set(), workers, hooks);
+  EXPECT_THAT(epochs, testing::ElementsAre(4, 5));
+  EXPECT_THAT(messages, testing::IsEmpty());
+  EXPECT_EQ(resumed.autoencoder.network().parameters, whole.autoencoder.network().parameters);
+  EXPECT_EQ(resumed.kept_per_class, whole.kept_per_class);
+  for (std::size_t e = 0; e < 5; ++e) {
+    EXPECT_EQ(resumed.epochs[e].samples, whole.epochs[e].samples);
+    EXPECT_EQ(resumed.epochs[e].train_error, whole.epochs[e].train_error);
+    EXPECT_EQ(resumed.epochs[e].test_error, whole.epochs[e].test_error);
+  }
+
+  // Another seed's, and a damaged one.
+  train_autoencoder(small(1), Seed(2), train.set(), test.set(), workers, hooks);
+  ASSERT_THAT(messages, testing::SizeIs(1));
+  EXPECT_THAT(messages[0], HasSubstr("belongs to another training"));
+  {
+    std::fstream file(hooks.checkpoint, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(200000);
+    for (int i = 0; i < 100; ++i) file.put('x');
+  }
+  epochs.clear();
+  train_autoencoder(small(1), Seed(2), train.set(), test.set(), workers, hooks);
+  EXPECT_THAT(messages, testing::SizeIs(2));
+  EXPECT_THAT(epochs, testing::ElementsAre(1));
+  std::filesystem::resize_file(hooks.checkpoint, 1000);
+  train_autoencoder(small(1), Seed(2), train.set(), test.set(), workers, hooks);
+  EXPECT_THAT(messages, testing::SizeIs(3));
+}
+
+TEST(Trainer, CutKeepsTheSamplesBelowTheMean) {
+  const Set train(120, 1), test(40, 2);
+  Workers workers(1);
+  const auto before = train_autoencoder(small(2), Seed(1), train.set(), test.set(), workers);
+  const auto after = train_autoencoder(small(3), Seed(1), train.set(), test.set(), workers);
+  const auto images = as_floats(train.pixels);
+  std::vector<float> latent(240), error(120);
+  before.autoencoder.describe(120, images.data(), latent.data(), error.data());
+  double mean = 0;
+  for (float e : error) mean += e / 120.;
+  std::array<double, 10> share{};
+  std::int64_t kept = 0;
+  for (std::size_t i = 0; i < 120; ++i)
+    if (error[i] < mean) {
+      share[i % 10] += 1 / 12.;
+      ++kept;
+    }
+  EXPECT_EQ(after.epochs[1].samples, 120);
+  EXPECT_EQ(after.epochs[2].samples, kept);
+  for (std::size_t c = 0; c < 10; ++c) EXPECT_NEAR(after.kept_per_class[c], share[c], 1e-12);
+  EXPECT_THAT(before.kept_per_class, testing::Each(1.));
+}
+
+TEST(Trainer, UsesTheFirstSamplesOnly) {
+  Set train(100, 1);
+  const Set test(40, 2);
+  AutoencoderSettings settings = small(2);
+  settings.training_samples = 60;
+  Workers workers(1);
+  const auto a = train_autoencoder(settings, Seed(1), train.set(), test.set(), workers);
+  EXPECT_EQ(a.epochs[0].samples, 60);
+  train.pixels[61 * 784 + 300] ^= 255;
+  const auto b = train_autoencoder(settings, Seed(1), train.set(), test.set(), workers);
+  EXPECT_EQ(a.autoencoder.network().parameters, b.autoencoder.network().parameters);
+  settings.training_samples = 101;
+  EXPECT_THAT(failure(settings, train.set(), test.set()), HasSubstr("there are only 100 training images"));
+}
+
+TEST(Trainer, RefusesWhatCannotBeLearned) {
+  const Set train(100, 1), test(40, 2);
+  AutoencoderSettings settings = small(30);
+  settings.learning_rate = 1;
+  EXPECT_THAT(failure(settings, train.set(), test.set()),
+              testing::AnyOf(HasSubstr("collapsed"), HasSubstr("diverged")));
+  Set labels(100, 1);
+  labels.labels[7] = 10;
+  EXPECT_THAT(failure(small(1), labels.set(), test.set()),
+              HasSubstr("training image 7: label 10, expected 0 to 9"));
+  EXPECT_THAT(failure(small(1), train.set(), ImageSet{}), HasSubstr("no test images"));
+}
+
+TEST(Collapse, IsTold) {
+  std::vector<float> latent(100, 0.999f);
+  std::fill_n(latent.begin(), 9, -0.5f);
+  EXPECT_THROW(net::refuse_collapse(latent, 0.03, 0.07, true, "seed 1, epoch 2"), InputError);
+  latent[9] = latent[10] = 0.2f;
+  net::refuse_collapse(latent, 0.03, 0.07, true, "");
+  net::refuse_collapse(latent, 0.07, 0.07, false, "");
+  try {
+    net::refuse_collapse(latent, 0.07, 0.07, true, "seed 1, epoch 2");
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(),
+                testing::AllOf(HasSubstr("seed 1, epoch 2"), HasSubstr("0.0700"), HasSubstr("output_bias")));
+  }
+}
+
+TEST(Adam, FollowsItsDefinition) {
+  net::Adam adam(3);
+  net::Floats parameters{1, -2, 3};
+  std::vector<double> expected{1, -2, 3}, m(3), s(3);
+  Rng rng{Seed(6)};
+  for (int t = 1; t <= 50; ++t) {
+    float gradient[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      gradient[i] = rng.uniform(-1, 2);
+      m[i] = 0.9 * m[i] + 0.1 * gradient[i];
+      s[i] = 0.999 * s[i] + 0.001 * gradient[i] * gradient[i];
+      expected[i] -=
+          0.01 * (m[i] / (1 - std::pow(0.9, t))) / (std::sqrt(s[i] / (1 - std::pow(0.999, t))) + 1e-8);
+    }
+    adam.step(0.01, gradient, parameters);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(parameters[i], expected[i], 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace hbr
