@@ -56,6 +56,7 @@ constexpr std::array kOfSearch = {
     Entry{"best", "fitness", "{}: best fitness"},
     Entry{"mean", "fitness", "{}: mean fitness"},
     Entry{"evaluations", "evaluations", "{}: genomes evaluated"},
+    Entry{"executions", "executions", "{}: executions, one for each sample of each genome"},
     Entry{"fresh_mean", "fitness", "{}: mean fitness of its elites, executed again from fresh starts"},
     Entry{"equal_size", "elites", "{}: elites at equal generations"},
     Entry{"equal_best", "fitness", "{}: best fitness at equal generations"},
@@ -67,17 +68,17 @@ constexpr std::array kOfSearch = {
 };
 
 constexpr std::array kOfDigits = {
-    Entry{"cells", "%", "{}: share of the cells of side 0.1 of the latent square that hold an elite"},
+    Entry{"cells", "", "{}: share of the cells of side 0.1 of the latent square that hold an elite"},
     Entry{"classes", "classes", "{}: classes with at least three good images"},
-    Entry{"good", "%", "{}: share of images that the judge calls good"},
-    Entry{"good_01", "%", "{}: share of good images among those the judge takes for 0 or 1"},
-    Entry{"good_others", "%", "{}: share of good images among those the judge takes for 2 to 9"},
-    Entry{"confidence", "%", "{}: mean confidence of the judge"},
+    Entry{"good", "", "{}: share of images that the judge calls good"},
+    Entry{"good_01", "", "{}: share of good images among those the judge takes for 0 or 1"},
+    Entry{"good_others", "", "{}: share of good images among those the judge takes for 2 to 9"},
+    Entry{"confidence", "", "{}: mean confidence of the judge"},
     Entry{"distance", "", "{}: median distance to the nearest image of the dataset"},
     Entry{"rarest", "", "{}: good images of the rarest class, over the mean of the classes"},
     Entry{"reach", "", "{}: greatest absolute latent coordinate"},
-    Entry{"neighbour_difference", "%", "{}: mean pixel difference between an image and its latent neighbour"},
-    Entry{"pair_difference", "%", "{}: mean pixel difference between any two images"},
+    Entry{"neighbour_difference", "", "{}: mean pixel difference between an image and its latent neighbour"},
+    Entry{"pair_difference", "", "{}: mean pixel difference between any two images"},
 };
 
 constexpr std::array kOfTransfer = {
@@ -97,12 +98,12 @@ constexpr std::array kOfTransfer = {
 constexpr std::array kSingle = {
     Entry{"accuracy.requests", "requests", "accuracy: lines requested of a repertoire"},
     Entry{"autoencoder.test_error", "", "autoencoder: mean squared error per pixel on the test images"},
-    Entry{"autoencoder.kept", "%", "autoencoder: share of the training images kept by the cut"},
+    Entry{"autoencoder.kept", "", "autoencoder: share of the training images kept by the cut"},
     Entry{"autoencoder.reach", "", "autoencoder: greatest absolute latent coordinate of the test images"},
     Entry{"autoencoder.epochs", "epochs", "autoencoder: epochs of training"},
-    Entry{"judge.test_accuracy", "%", "judge: accuracy on the test images"},
-    Entry{"judge.test_typical", "%", "judge: share of the test images it calls typical"},
-    Entry{"judge.random_typical", "%", "judge: share of random strokes it calls typical"},
+    Entry{"judge.test_accuracy", "", "judge: accuracy on the test images"},
+    Entry{"judge.test_typical", "", "judge: share of the test images it calls typical"},
+    Entry{"judge.random_typical", "", "judge: share of random strokes it calls typical"},
     Entry{"pooled.layer2_size", "elites", "layer 2 (lines), all variants together: elites in the repertoire"},
     Entry{"genes.hierarchy", "genes", "genes of layers 1, 2 and 3 together (arc controller B)"},
 };
@@ -218,10 +219,9 @@ std::optional<Meaning> meaning_of(const std::string& name) {
     if (const Entry* entry = find_entry(kOfTransfer, parts[2]))
       return make(*entry, "transfer to " + parts[1]);
   if (parts[0] == "plane" && parts.size() == 3 && parts[2] == "covered")
-    return Meaning{"%", fmt::format("{}: share of the arm's layer-1 points in its reach", parts[1])};
+    return Meaning{"", fmt::format("{}: share of the arm's layer-1 points in its reach", parts[1])};
   if (parts[0] == "autoencoder" && parts.size() == 3 && parts[1] == "kept_of_class" && is_number(parts[2]))
-    return Meaning{"%",
-                   fmt::format("autoencoder: share of the images of class {} kept by the cut", parts[2])};
+    return Meaning{"", fmt::format("autoencoder: share of the images of class {} kept by the cut", parts[2])};
   return {};
 }
 

@@ -25,7 +25,7 @@ bool is_search(const std::string& head);
 
 // Unit and meaning, in words for tables and axes.
 struct Meaning {
-  std::string unit;  // "" for a pure number; "%": the value is a share, to be shown in per cent
+  std::string unit;  // "" for a pure number, shares in [0, 1] included; "%" for what is already in per cent
   std::string text;
 };
 

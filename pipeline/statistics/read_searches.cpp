@@ -16,6 +16,15 @@ struct Search {
   std::vector<ProgressRow> progress;  // ascending generations, not empty
 };
 
+// Each genome is executed once for every sample of its stochastic descriptor.
+void add_executions(const Hdf5Reader& file, const std::string& prefix, double evaluations,
+                    StatisticsTable& table) {
+  if (!file.has_attribute("settings")) return;
+  const auto settings = nlohmann::json::parse(file.text_attribute("settings"), nullptr, false);
+  if (!settings.is_object() || !settings.contains("samples") || !settings["samples"].is_number()) return;
+  table.number(prefix + ".executions", evaluations * settings["samples"].get<double>());
+}
+
 Search read_search(const Artifact& artifact, StatisticsTable& table) {
   Search search{artifact.name, read_progress(artifact.path)};
   if (search.progress.empty())
@@ -31,6 +40,7 @@ Search read_search(const Artifact& artifact, StatisticsTable& table) {
   table.add(prefix + ".best", replication, *std::ranges::max_element(fitness));
   table.add(prefix + ".mean", replication, mean(fitness));
   table.add(prefix + ".evaluations", replication, static_cast<double>(search.progress.back().evaluations));
+  add_executions(file, prefix, static_cast<double>(search.progress.back().evaluations), table);
   table.number(prefix + ".generations", static_cast<double>(search.progress.back().generation));
   table.number(prefix + ".genes", static_cast<double>(file.read<float>("solution").shape.at(1)));
   return search;

@@ -15,8 +15,8 @@
 // curves      "layer4": {x: "generation", at, n, size: {median, q1, q3}, best: {...}, mean: {...}}
 //             over the replications; for "autoencoder" {x: "epoch", ..., train_error, test_error}
 //
-// A unit "%" says that the value is a share, to be shown in per cent. Keys are sorted; there is no time, host
-// or path: equal artifacts give equal bytes.
+// Shares are in [0, 1] and have the unit ""; what has the unit "%" is already in per cent. Keys are sorted;
+// there is no time, host or path: equal artifacts give equal bytes.
 #pragma once
 
 #include <map>

@@ -23,7 +23,8 @@ class SyntheticExperiment {
   const std::map<std::string, std::filesystem::path>& artifacts() const { return artifacts_; }
 
   // A search that grows to `size` elites by 1 - exp(-8 generation / generations), recorded 21 times.
-  void search(const std::string& stage, int size, int genes, double best, double mean, int generations) {
+  void search(const std::string& stage, int size, int genes, double best, double mean, int generations,
+              int samples = 1) {
     for (int r = 0; r < replications_; ++r) {
       Rng rng(Seed(1).child(stage).child(static_cast<std::uint64_t>(r)));
       const auto n = static_cast<Eigen::Index>(size * rng.uniform(0.97f, 1.03f));
@@ -48,6 +49,7 @@ class SyntheticExperiment {
       }
       Hdf5Writer file(place(stage, r));
       write_elites(file, elites, progress);
+      file.attribute("settings", fmt::format("{{\"samples\":{}}}", samples));
       file.close();
     }
   }
@@ -182,13 +184,13 @@ class SyntheticExperiment {
     search("layer1_substitute", 480, 8, -0.0005, -0.01, g);
     search("nao_layer1", 450, 4, -0.001, -0.05, g);
     search("layer2_n1", 147, 2, 0, 0, g);
-    search("layer2_n10_short", 126, 2, 0, 0, g / 10);
-    search("layer2_n10", 138, 2, 0, 0, g);
-    search("layer2_n100", 132, 2, 0, 0, g);
+    search("layer2_n10_short", 126, 2, 0, 0, g / 10, 10);
+    search("layer2_n10", 138, 2, 0, 0, g, 10);
+    search("layer2_n100", 132, 2, 0, 0, g, 100);
     search("reference4d", 45000, 4, 0, 0, g);
     search("layer3_n1", 300, 10, -0.11, -0.9, g);
-    search("layer3_n10", 310, 10, -0.1, -0.8, g);
-    search("layer3_n100", 320, 10, -0.1, -0.7, g);
+    search("layer3_n10", 310, 10, -0.1, -0.8, g, 10);
+    search("layer3_n100", 320, 10, -0.1, -0.7, g, 100);
     search("layer3_b", 290, 3, -0.1, -0.6, g);
     search("flat_arcs", 305, 40, -0.5, -1.9, 3 * g);
     search("layer4", 350, 12, -0.010, -0.030, g);

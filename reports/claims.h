@@ -1,0 +1,27 @@
+// The paper's claims, decided by a run's statistics.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace hbr {
+
+// `claims` is reports/claims.toml, `statistics` the contents of statistics.json
+// (pipeline/statistics/table.h). Returns claims.json, an array in the file's order of
+//
+//   id, place, statement, quote, paper   as in the file
+//   ours        this run's figures, in words
+//   verdict     "reproduced" (every check holds), "partly" (some do, or in part), "not" (none does), "not at
+//               this size" (the run is too small for the claim, or lacks what it is about)
+//   indication  what the verdict would be without regard to size; "" where nothing was measured. A p-value is
+//               then only asked to be as small as the test can give for so few replications.
+//   reason      a sentence made from the numbers
+//   sources     names of the statistics used
+//   checks      [{words, kind, of, to, reproduced, partly, p_below, x, p, a12, outcome, sentence}], outcome
+//               "yes", "partly", "no" or "absent"; x, p and a12 where there are such; infinite ends are null
+//   needs       [{of, at_least, found, met}], found is null where the statistic is absent
+//
+// Throws InputError where the file or the statistics are not as described.
+nlohmann::json evaluate_claims(const std::filesystem::path& claims, const nlohmann::json& statistics);
+
+}  // namespace hbr
