@@ -65,8 +65,10 @@ int stage_main(int argc, char** argv, const char* summary, const std::function<v
   app.add_option("--checkpoint", checkpoint, "where to keep what a killed run goes on from")->required();
   app.add_option("--threads", threads, "threads to use")->check(CLI::Range(1, 4096));
   CLI11_PARSE(app, argc, argv);
-  return guarded_main(argv[0], [&] {
+  std::string name = std::filesystem::path(argv[0]).filename().string();
+  return guarded_main(name, [&] {
     StageRun stage(slice, root, output, checkpoint, threads);
+    name = stage.name();
     run(stage);
     return 0;
   });

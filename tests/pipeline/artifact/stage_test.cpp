@@ -84,13 +84,13 @@ TEST_F(Stage, FailuresAreOneLineAndACode) {
   const auto nothing = [](StageRun&) {};
   good_slice(0);
   EXPECT_EQ(main([](StageRun& stage) { stage.settings_as<Points>(); }),
-            std::pair(2, "lines: " + (folder_ / "slice.json").string() +
+            std::pair(2, "lines/00: " + (folder_ / "slice.json").string() +
                              ": count: expected a whole number from 1 to 100 (points to draw), found 0\n"));
   EXPECT_THAT(main([](StageRun& stage) { stage.input("lost"); }).second, HasSubstr("layer1/01.h5: missing"));
   EXPECT_THAT(main([](StageRun& stage) { stage.input("point"); }).second,
               HasSubstr("(did you mean 'points'?)"));
   EXPECT_EQ(main([](StageRun&) { throw std::runtime_error("two\nlines"); }),
-            std::pair(3, std::string("lines: unexpected error: two lines\n")));
+            std::pair(3, std::string("lines/00: unexpected error: two lines\n")));
   slice("{");
   EXPECT_EQ(main(nothing).first, 2);
   slice("{}");

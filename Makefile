@@ -1,0 +1,124 @@
+# The way in. `make help` tells what there is; `make all PROFILE=reduced` makes the whole experiment.
+#
+# Two steps: CMake builds the programs, then build/release/bin/hbr cuts the profile into one slice per stage, finds
+# by content what is not as it should be, and calls make again with the plan of just that (OUT/.plan/plan.mk).
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+MAKEFLAGS += --no-builtin-rules --no-print-directory
+.DEFAULT_GOAL := help
+
+PROFILE ?= paper
+profile_file := $(if $(filter %.toml,$(PROFILE)),$(PROFILE),stages/profiles/$(PROFILE).toml)
+OUT ?= out/$(basename $(notdir $(PROFILE)))
+THREADS ?= 0
+LAUNCH ?=
+DEPS ?= auto
+REP ?=
+export MNIST_DIR
+
+targets := help deps build all test bench sanitize coverage format tidy status audit graph clean distclean
+# Every other goal is a stage, or a family of stages.
+stages := $(filter-out $(targets),$(MAKECMDGOALS))
+goals := $(filter all,$(MAKECMDGOALS)) $(stages)
+dry := $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
+
+programs := build/release/bin
+arguments := --profile '$(profile_file)' --out '$(OUT)' --threads '$(THREADS)' --launch '$(LAUNCH)' \
+  $(if $(REP),--replication '$(REP)')
+
+.PHONY: $(targets) $(stages) experiment
+
+help:
+	@echo 'make all             the whole experiment; its report is OUT/report/index.html'
+	@echo 'make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
+	@echo 'make test            build and run all tests'
+	@echo 'make bench           build and run the benchmarks'
+	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers'
+	@echo 'make coverage        all tests, and build/coverage/html: which lines they reach'
+	@echo 'make format, tidy    clang-format, clang-tidy on all sources'
+	@echo 'make status          what is fresh, stale or missing, and why'
+	@echo 'make audit           read every artifact again and compare it with its manifest'
+	@echo 'make graph           OUT/graph.svg: the stages and what they hand on'
+	@echo 'make deps, build     install what is missing; build the programs'
+	@echo 'make clean           remove build/; distclean: out/ and .cache/ (downloads), too'
+	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
+	@echo
+	@echo 'PROFILE=$(PROFILE)   one of: $(basename $(notdir $(wildcard stages/profiles/*.toml))); or a file.toml'
+	@echo 'OUT=$(OUT)   where artifacts go'
+	@echo 'THREADS=$(THREADS)   threads of one stage program; 0: the processors, shared among the N of -jN'
+	@echo 'LAUNCH=$(LAUNCH)   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt"'
+	@echo 'MNIST_DIR=$(MNIST_DIR)   folder of the four MNIST files; without it they are downloaded'
+	@echo 'DEPS=$(DEPS)   auto: install missing packages; manual: tell the command and stop; none: do not look'
+
+# Set-up and build -----------------------------------------------------------------------------------------------
+
+deps: build/.packages
+# Looked at again when the list or what is installed changes.
+build/.packages: .ci/packages.txt $(wildcard /var/lib/dpkg/status)
+	@.ci/packages '$(DEPS)'
+	@mkdir -p build && touch $@
+
+# configure(preset): CMake, once; Ninja calls it again when a CMakeLists.txt or a folder's files change.
+define configure
+build/$(1)/build.ninja: | build/.packages
+	@cmake --fresh -S . -B build/$(1) -G Ninja -DHBR_BUILD=$(1) >build/$(1).log || { cat build/$(1).log >&2; exit 1; }
+endef
+$(foreach preset,release sanitize coverage,$(eval $(call configure,$(preset))))
+
+build: build/.packages build/release/build.ninja
+	@cmake --build build/release --target programs -- --quiet
+
+# The experiment -------------------------------------------------------------------------------------------------
+
+all $(stages): experiment ;
+
+# The + hands over make's jobs, and lets `make -n` list what would run.
+experiment: build
+	+@$(if $(dry),[ -x $(programs)/hbr ] || { echo '# then all that the profile asks for: nothing is built yet'; exit 0; };) \
+	  exec $(programs)/hbr $(if $(dry),plan,make --make '$(MAKE)') $(arguments) $(goals)
+
+status audit: build
+	@$(programs)/hbr $@ $(arguments)
+
+graph: build
+	@mkdir -p '$(OUT)'
+	@$(programs)/hbr graph $(arguments) | dot -Tsvg >'$(OUT)/graph.svg'
+	@echo '$(OUT)/graph.svg'
+
+# Tests and checks -----------------------------------------------------------------------------------------------
+
+# run_tests(preset): all tests; CTest's summary stands last.
+run_tests = @cmake --build build/$(1) -- --quiet && ctest --test-dir build/$(1) --output-on-failure --parallel $$(nproc)
+
+test: build/.packages build/release/build.ninja
+	$(call run_tests,release)
+
+sanitize: build/.packages build/sanitize/build.ninja
+	$(call run_tests,sanitize)
+
+coverage: build/.packages build/coverage/build.ninja
+	@.ci/packages '$(DEPS)' coverage
+	@find build/coverage -name '*.gcda' -delete
+	$(call run_tests,coverage)
+	@lcov --quiet --capture --directory build/coverage --output-file build/coverage/all.info
+	@lcov --quiet --extract build/coverage/all.info '$(CURDIR)/pipeline/*' '$(CURDIR)/models/*' '$(CURDIR)/reports/*' \
+	  '$(CURDIR)/stages/*' --output-file build/coverage/own.info
+	@genhtml --quiet --output-directory build/coverage/html build/coverage/own.info
+	@lcov --summary build/coverage/own.info
+
+bench: build/.packages build/release/build.ninja
+	@cmake --build build/release -- --quiet
+	@for bench in $(programs)/bench_*; do "$$bench"; done
+
+format:
+	@.ci/packages '$(DEPS)' format
+	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
+
+tidy: build
+	@.ci/packages '$(DEPS)' tidy
+	@git ls-files '*.cpp' | xargs -P "$$(nproc)" -n 1 clang-tidy --quiet -p build/release
+
+clean:
+	@rm -rf build
+distclean: clean
+	@rm -rf out .cache

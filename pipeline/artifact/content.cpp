@@ -1,0 +1,186 @@
+#include "pipeline/artifact/content.h"
+
+#include <elf.h>
+#include <fcntl.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void fail(const fs::path& path, const char* what) {
+  throw InputError("{}: {}: {}", path.string(), what, std::strerror(errno));
+}
+
+class Sha256 {
+ public:
+  Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr);
+  }
+  void add(const void* data, std::size_t bytes) { EVP_DigestUpdate(context_.get(), data, bytes); }
+  std::string hex() {
+    std::array<unsigned char, 32> digest{};
+    EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr);
+    return fmt::format("{:02x}", fmt::join(digest, ""));
+  }
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags)
+      : path_(path), id_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+    if (id_ < 0) fail(path, flags == O_RDONLY ? "can't read" : "can't write");
+  }
+  ~Descriptor() {
+    if (id_ >= 0) ::close(id_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  std::size_t read(char* to, std::size_t bytes) const {
+    ssize_t got;
+    while ((got = ::read(id_, to, bytes)) < 0)
+      if (errno != EINTR) fail(path_, "can't read");
+    return static_cast<std::size_t>(got);
+  }
+  void write(std::string_view text) const {
+    while (!text.empty()) {
+      const ssize_t written = ::write(id_, text.data(), text.size());
+      if (written < 0 && errno != EINTR) fail(path_, "can't write");
+      if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+  void sync() const {
+    // A file system without fsync says EINVAL; there is nothing more to do then.
+    if (::fsync(id_) != 0 && errno != EINVAL) fail(path_, "can't write through to the disk");
+  }
+
+ private:
+  fs::path path_;
+  int id_;
+};
+
+std::string sha256_of_file(const fs::path& path, std::uint64_t& bytes) {
+  const Descriptor file(path, O_RDONLY);
+  Sha256 hash;
+  std::vector<char> buffer(std::size_t{1} << 20);
+  while (const std::size_t got = file.read(buffer.data(), buffer.size())) {
+    hash.add(buffer.data(), got);
+    bytes += got;
+  }
+  return hash.hex();
+}
+
+// Paths below the folder, sorted.
+std::vector<fs::path> files_below(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory() && !entry.is_symlink()) continue;
+    if (!entry.is_regular_file() || entry.is_symlink())
+      throw InputError("{}: expected a file or a folder, found something else", entry.path().string());
+    files.push_back(entry.path().lexically_relative(folder));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string sign_of_file(const fs::path& path) {
+  struct stat s {};
+  if (::stat(path.c_str(), &s) != 0) return "";
+  return fmt::format("{} {}.{:09} {}.{:09} {}", s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec,
+                     s.st_ctim.tv_sec, s.st_ctim.tv_nsec, s.st_ino);
+}
+
+}  // namespace
+
+std::string sha256_of_text(std::string_view text) {
+  Sha256 hash;
+  hash.add(text.data(), text.size());
+  return hash.hex();
+}
+
+Content content_of(const fs::path& path) {
+  Content content;
+  if (!fs::is_directory(path)) {
+    content.sha256 = sha256_of_file(path, content.bytes);
+    return content;
+  }
+  std::string list;
+  for (const fs::path& file : files_below(path)) {
+    const std::string hash = sha256_of_file(path / file, content.bytes);
+    content.files[file.string()] = hash;
+    list += hash + "  " + file.string() + "\n";
+  }
+  content.sha256 = sha256_of_text(list);
+  return content;
+}
+
+std::string sha256_of_program(const fs::path& path) {
+  const Descriptor file(path, O_RDONLY);
+  std::string all;
+  std::vector<char> buffer(std::size_t{1} << 20);
+  while (const std::size_t got = file.read(buffer.data(), buffer.size())) all.append(buffer.data(), got);
+
+  Elf64_Ehdr header;
+  if (all.size() < sizeof header || std::memcmp(all.data(), ELFMAG, SELFMAG) != 0) return sha256_of_text(all);
+  std::memcpy(&header, all.data(), sizeof header);
+  // Where the sections are, debug information among them, stands in the header, which is in the first
+  // segment.
+  header.e_shoff = 0;
+  header.e_shnum = header.e_shstrndx = 0;
+  std::memcpy(all.data(), &header, sizeof header);
+  Sha256 hash;
+  for (std::size_t i = 0; i < header.e_phnum; ++i) {
+    Elf64_Phdr segment;
+    const std::size_t at = header.e_phoff + i * sizeof segment;
+    if (at + sizeof segment > all.size()) throw InputError("{}: this program is cut short", path.string());
+    std::memcpy(&segment, all.data() + at, sizeof segment);
+    if (segment.p_type != PT_LOAD) continue;
+    if (segment.p_offset > all.size() || segment.p_filesz > all.size() - segment.p_offset)
+      throw InputError("{}: this program is cut short", path.string());
+    hash.add(all.data() + segment.p_offset, segment.p_filesz);
+  }
+  return hash.hex();
+}
+
+std::string sign_of(const fs::path& path) {
+  if (!fs::is_directory(path)) return sign_of_file(path);
+  std::string list;
+  for (const fs::path& file : files_below(path))
+    list += sign_of_file(path / file) + "  " + file.string() + "\n";
+  return sha256_of_text(list);
+}
+
+void sync_to_disk(const fs::path& path) {
+  if (fs::is_directory(path))
+    for (const fs::path& file : files_below(path)) Descriptor(path / file, O_RDONLY).sync();
+  Descriptor(path, O_RDONLY).sync();
+}
+
+void write_whole(const fs::path& path, std::string_view text) {
+  const fs::path temporary =
+      path.parent_path() / fmt::format(".tmp-{}-{}", ::getpid(), path.filename().string());
+  try {
+    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    file.write(text);
+    file.sync();
+    if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "can't write");
+  } catch (const InputError&) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
+}  // namespace hbr

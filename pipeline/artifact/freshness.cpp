@@ -1,0 +1,194 @@
+#include "pipeline/artifact/freshness.h"
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "pipeline/artifact/settings.h"
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace fs = std::filesystem;
+namespace {
+
+// "settings.generations 100 -> 200; ..." for the first few that differ.
+std::string differences(const nlohmann::json& before, const nlohmann::json& after) {
+  const nlohmann::json was = before.flatten(), is = after.flatten();
+  std::vector<std::string> found;
+  const auto shown = [](const nlohmann::json& all, const std::string& key) {
+    return all.contains(key) ? all.at(key).dump() : std::string("none");
+  };
+  std::set<std::string> keys;
+  for (const auto& [key, value] : was.items()) keys.insert(key);
+  for (const auto& [key, value] : is.items()) keys.insert(key);
+  for (const std::string& key : keys) {
+    if (was.contains(key) && is.contains(key) && was.at(key) == is.at(key)) continue;
+    std::string name = key.empty() ? key : key.substr(1);
+    std::replace(name.begin(), name.end(), '/', '.');
+    found.push_back(fmt::format("{} {} -> {}", name, shown(was, key), shown(is, key)));
+  }
+  const std::size_t all = found.size();
+  constexpr std::size_t kShown = 3;
+  if (all > kShown) found.resize(kShown);
+  return fmt::format("{}{}", fmt::join(found, ", "),
+                     all > kShown ? fmt::format(" and {} more", all - kShown) : "");
+}
+
+std::string why_stale(const Node& node, const Ingredients& was, const Ingredients& is) {
+  std::vector<std::string> reasons;
+  if (was.slice != is.slice) reasons.push_back(differences(was.slice, is.slice));
+  if (was.program != is.program) reasons.push_back(fmt::format("program {} changed", node.program));
+  for (const auto& [name, output] : node.inputs) {
+    const auto before = was.inputs.find(name);
+    if (before != was.inputs.end() && before->second != is.inputs.at(name))
+      reasons.push_back(fmt::format("input {} changed", output));
+  }
+  for (std::size_t i = 0; i < node.sources.size(); ++i)
+    if (i >= was.sources.size() || was.sources[i] != is.sources[i])
+      reasons.push_back(fmt::format("file {} changed", node.sources[i]));
+  return reasons.empty() ? "files changed" : fmt::format("{}", fmt::join(reasons, ", "));
+}
+
+// Whether the artifact is what its manifest says.
+bool is_as_left(const Workspace& workspace, const Node& node, Manifest& manifest) {
+  const fs::path artifact = workspace.out / node.output;
+  const std::string sign = sign_of(artifact);
+  if (sign.empty()) return false;
+  if (sign == manifest.sign) return true;
+  if (content_of(artifact).sha256 != manifest.content.sha256) return false;
+  manifest.sign = sign;
+  if (workspace.remember) write_manifest(manifest_path(workspace.out, node), manifest);
+  return true;
+}
+
+}  // namespace
+
+HashCache::HashCache(const Workspace& workspace) : workspace_(workspace) {
+  std::ifstream stream(workspace.out / ".plan/hashes.json");
+  const nlohmann::json all = stream ? nlohmann::json::parse(stream, nullptr, false) : nlohmann::json();
+  try {
+    if (all.is_object()) all.get_to(known_);
+  } catch (const nlohmann::json::exception&) {
+    known_.clear();  // only a cache
+  }
+}
+
+template <class Hash>
+std::string HashCache::remembered(const fs::path& path, Hash hash) {
+  const std::string sign = sign_of(path);
+  auto& [known_sign, known_hash] = known_[path.string()];
+  if (sign.empty() || sign != known_sign) {
+    known_hash = hash(path);
+    known_sign = sign;
+    changed_ = true;
+  }
+  return known_hash;
+}
+
+std::string HashCache::program(const std::string& name) {
+  const fs::path path = workspace_.programs / name;
+  if (!fs::is_regular_file(path))
+    throw InputError("{}: this stage program is missing: build it", path.string());
+  return remembered(path, sha256_of_program);
+}
+
+std::string HashCache::source(const std::string& path) {
+  const fs::path full = workspace_.repository / path;
+  if (!fs::exists(full))
+    throw InputError("{}: this file, which the experiment reads, is missing", full.string());
+  return remembered(full, [](const fs::path& file) { return content_of(file).sha256; });
+}
+
+void HashCache::save() {
+  if (changed_ && workspace_.remember)
+    write_whole(workspace_.out / ".plan/hashes.json", nlohmann::json(known_).dump(1));
+  changed_ = false;
+}
+
+std::string artifact_hash(const Workspace& workspace, const Node& node) {
+  std::optional<Manifest> manifest = read_manifest(manifest_path(workspace.out, node));
+  if (!manifest || !is_as_left(workspace, node, *manifest)) return "";
+  return manifest->content.sha256;
+}
+
+Freshness freshness_of(const Workspace& workspace, const Node& node,
+                       std::map<std::string, std::string> inputs, HashCache& hashes) {
+  Freshness found;
+  found.ingredients.slice = slice_of(node);
+  found.ingredients.program = hashes.program(node.program);
+  found.ingredients.inputs = std::move(inputs);
+  for (const std::string& source : node.sources) found.ingredients.sources.push_back(hashes.source(source));
+  found.key = found.ingredients.key();
+
+  if (!fs::exists(workspace.out / node.output)) {
+    found.why = "missing";
+    return found;
+  }
+  std::optional<Manifest> manifest = read_manifest(manifest_path(workspace.out, node));
+  if (!manifest) {
+    found.why = "its manifest is missing or damaged";
+    return found;
+  }
+  if (manifest->key != found.key) {
+    found.state = State::stale;
+    found.why = why_stale(node, manifest->made_from, found.ingredients);
+  } else if (!is_as_left(workspace, node, *manifest)) {
+    found.state = State::damaged;
+    found.why = "damaged: its content is not what its manifest says";
+  } else {
+    found.state = State::fresh;
+    found.sha256 = manifest->content.sha256;
+  }
+  return found;
+}
+
+std::vector<Freshness> freshness_of(const Workspace& workspace, const Graph& graph) {
+  HashCache hashes(workspace);
+  std::vector<Freshness> all;
+  std::map<std::string, std::size_t> made;  // output -> node
+  for (const Node& node : graph) {
+    std::map<std::string, std::string> inputs;
+    const std::string* waits_for = nullptr;
+    for (const auto& [name, output] : node.inputs) {
+      const Freshness& input = all[made.at(output)];
+      if (input.state != State::fresh && !waits_for) waits_for = &output;
+      inputs[name] = input.sha256;
+    }
+    made[node.output] = all.size();
+    if (!waits_for) {
+      all.push_back(freshness_of(workspace, node, std::move(inputs), hashes));
+      continue;
+    }
+    Freshness waiting;
+    const bool exists = fs::exists(workspace.out / node.output);
+    waiting.state = exists ? State::waiting : State::missing;
+    waiting.why = exists ? fmt::format("its input {} is to be made first", *waits_for) : "missing";
+    all.push_back(waiting);
+  }
+  hashes.save();
+  return all;
+}
+
+void check_graph(const Graph& graph) {
+  std::set<std::string> taken, outputs;
+  for (const Node& node : graph) {
+    const fs::path path(node.output);
+    // Plain names only: they become targets in a makefile.
+    bool hidden =
+        node.output.empty() || path.is_absolute() || path != path.lexically_normal() ||
+        node.output.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./") !=
+            std::string::npos;
+    for (const fs::path& part : path) hidden = hidden || part.string().starts_with(".");
+    if (hidden) throw InputError("stage graph: '{}' is no place below the output folder", node.output);
+    for (const std::string& place : {node.output, manifest_path("", node).string()})
+      if (!taken.insert(place).second)
+        throw InputError("stage graph: two nodes want the place {} (one of them {})", place, node.stage);
+    for (const auto& [name, output] : node.inputs)
+      if (!outputs.contains(output))
+        throw InputError("stage graph: {} needs {} as its input '{}', which no earlier node makes{}",
+                         node.output, output, name, did_you_mean(output, {outputs.begin(), outputs.end()}));
+    outputs.insert(node.output);
+  }
+}
+
+}  // namespace hbr

@@ -1,0 +1,58 @@
+#include "pipeline/artifact/lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace {
+
+constexpr const char* kVariable = "HBR_LOCK";  // the descriptor's number, for children
+using namespace std::chrono_literals;
+// What was killed a moment ago may take a while to be gone.
+constexpr auto kPatience = 1500ms;
+
+}  // namespace
+
+void lock_folder(const std::filesystem::path& out) {
+  std::error_code error;
+  std::filesystem::create_directories(out / ".plan", error);
+  if (error) throw InputError("{}: can't make this output folder: {}", out.string(), error.message());
+  const std::filesystem::path file = out / ".plan/lock";
+  const int lock = ::open(file.c_str(), O_RDWR | O_CREAT, 0666);
+  if (lock < 0)
+    throw InputError("{}: can't write to this output folder: {}", out.string(), std::strerror(errno));
+  const auto until = std::chrono::steady_clock::now() + kPatience;
+  while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR)
+      throw InputError("{}: can't lock this output folder: {}", out.string(), std::strerror(errno));
+    if (std::chrono::steady_clock::now() > until) {
+      std::array<char, 32> holder{};
+      const bool known = ::pread(lock, holder.data(), holder.size() - 1, 0) > 0;
+      throw InputError(
+          "{}: another make{} is at work in this folder: wait for it, stop it, or give another OUT",
+          out.string(), known ? fmt::format(" (process {})", holder.data()) : "");
+    }
+    std::this_thread::sleep_for(20ms);
+  }
+  const std::string self = std::to_string(::getpid());
+  if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, self.data(), self.size(), 0) < 0)
+    throw InputError("{}: can't write to this output folder: {}", out.string(), std::strerror(errno));
+  ::setenv(kVariable, std::to_string(lock).c_str(), 1);
+}
+
+void leave_lock_to_parent() {
+  if (const char* lock = std::getenv(kVariable)) ::close(std::atoi(lock));
+  ::unsetenv(kVariable);
+}
+
+}  // namespace hbr

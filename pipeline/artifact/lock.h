@@ -1,0 +1,16 @@
+// One make at a time on one output folder. The lock lives in a process and its children: when they end, be it
+// by kill -9, it is gone, and there is nothing to remove.
+#pragma once
+
+#include <filesystem>
+
+namespace hbr {
+
+// Takes the lock OUT/.plan/lock and keeps it through exec; makes OUT where it is missing. Throws InputError
+// where the folder can't be written or another process holds the lock.
+void lock_folder(const std::filesystem::path& out);
+
+// In a process that the holder of the lock started: lets go of it, so that it ends with its holder.
+void leave_lock_to_parent();
+
+}  // namespace hbr

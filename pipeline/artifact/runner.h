@@ -1,0 +1,37 @@
+// Runs stage programs: one node at a time (called by make), or all that is stale by handing a plan to make.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "pipeline/artifact/freshness.h"
+
+namespace hbr {
+
+struct RunOptions {
+  int threads = 1;      // of one stage program
+  std::string launch;   // words before every stage program: "srun -n1"
+  std::string version;  // of the repository, for the manifest
+};
+
+// The command line of a node's stage program.
+std::vector<std::string> stage_command(const Workspace& workspace, const Node& node,
+                                       const RunOptions& options, const std::filesystem::path& output,
+                                       const std::filesystem::path& checkpoint);
+
+std::filesystem::path slice_path(const std::filesystem::path& out, const Node& node);
+// The slice with what the runner needs besides, as make's recipe hands it over.
+void write_slice(const std::filesystem::path& out, const Node& node);
+// Throws InputError where the file is not as write_slice left it.
+Node read_slice(const std::filesystem::path& file);
+
+// Makes the node's artifact unless it is fresh. The stage writes to a temporary name in the same folder,
+// which becomes the artifact when the program succeeded and left it; then the manifest is written. Returns
+// the exit code: 0, or 2 where the stage has told what was wrong. Throws InputError for every other failure.
+int run_node(const Workspace& workspace, const Node& node, const RunOptions& options);
+
+// Removes what killed runs left in the folders of the graph. Only under the lock.
+void remove_temporaries(const Workspace& workspace, const Graph& graph);
+
+}  // namespace hbr

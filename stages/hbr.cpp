@@ -1,0 +1,5 @@
+// The tool behind the Makefile: cuts a profile into stages and runs those that are not as they should be.
+#include "pipeline/artifact/tool.h"
+#include "stages/experiment.h"
+
+int main(int argc, char** argv) { return hbr::tool_main(argc, argv, hbr::experiment_graph); }
