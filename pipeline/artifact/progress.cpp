@@ -25,6 +25,7 @@ bool shares_terminal() {
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "unknown time";
   const auto whole = static_cast<std::int64_t>(std::llround(seconds));
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
   return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);

@@ -74,7 +74,8 @@ std::vector<std::string> stage_command(const Workspace& workspace, const Node& n
                                        const RunOptions& options, const fs::path& output,
                                        const fs::path& checkpoint) {
   std::vector<std::string> command;
-  if (!options.launch.empty()) command = {"/bin/sh", "-c", fmt::format("exec {} \"$@\"", options.launch), "sh"};
+  if (!options.launch.empty())
+    command = {"/bin/sh", "-c", fmt::format("exec {} \"$@\"", options.launch), "sh"};
   for (const std::string& word :
        {(workspace.programs / node.program).string(), std::string("--root"), workspace.out.string(),
         std::string("--slice"), slice_path(workspace.out, node).string(), std::string("--output"),

@@ -1,2 +1,216 @@
-#include <gtest/gtest.h>
-TEST(R, x) {}
+// What the runner promises, tried with fake stages through the tool and a real make.
+#include <gmock/gmock.h>
+
+#include <chrono>
+
+#include "pipeline/artifact/content.h"
+#include "tests/end_to_end/fake_folder.h"
+
+namespace hbr {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kEverything = "base layer_a/00 layer_a/01 layer_b/00 layer_b/01 pages sum";
+
+TEST(Runner, MakesWhatIsMissingAndThenHasNothingToDo) {
+  FakeFolder folder("nothing");
+  const Outcome first = folder.make();
+  EXPECT_EQ(first.code, 0) << first.text;
+  EXPECT_EQ(made(first), kEverything);
+  const Outcome second = folder.make();
+  EXPECT_EQ(second.code, 0);
+  EXPECT_THAT(second.text, HasSubstr("nothing to do, 7 artifacts are as they should be"));
+  // Time stamps do not matter, nor does a folder that was moved.
+  shell("find " + folder.out().string() + " -type f -exec touch {} +");
+  EXPECT_EQ(made(folder.make()), "");
+  const auto artifacts = folder.artifacts();
+  fs::rename(folder.out(), folder.path / "elsewhere");
+  EXPECT_EQ(made(shell(folder.command_at(folder.path / "elsewhere", "make"))), "");
+  EXPECT_EQ(shell(folder.command_at(folder.path / "elsewhere", "audit")).code, 0);
+  // Side by side, other threads, another folder: the same bytes.
+  EXPECT_EQ(shell("MAKEFLAGS=-j4 " + folder.command("make", "--threads 3")).code, 0);
+  EXPECT_TRUE(folder.artifacts() == artifacts);
+}
+
+TEST(Runner, AChangedSettingRerunsItsStageAndWhatDependsOnIt) {
+  FakeFolder folder("setting");
+  folder.make();
+  folder.profile.layer_b.number = 5;
+  EXPECT_THAT(folder.status().text, HasSubstr("0-1: settings.number 3.0 -> 5.0"));
+  EXPECT_EQ(made(folder.make()), "layer_b/00 layer_b/01 pages sum");
+  // Another slice, the same bytes: what depends on them is left alone.
+  folder.profile.layer_b.steps = 1;
+  EXPECT_EQ(made(folder.make()), "layer_b/00 layer_b/01");
+  EXPECT_EQ(made(folder.make()), "");
+}
+
+TEST(Runner, MoreReplicationsRunOnlyThose) {
+  FakeFolder folder("replications");
+  folder.make();
+  folder.profile.replications = 4;
+  EXPECT_EQ(made(folder.make()), "layer_a/02 layer_a/03 layer_b/02 layer_b/03 pages sum");
+}
+
+TEST(Runner, SourcesCountByContent) {
+  FakeFolder folder("sources");
+  const fs::path source = folder.path / "robot.urdf";
+  folder.profile.sources = {source.string()};
+  EXPECT_THAT(folder.make().text, HasSubstr("robot.urdf: this file, which the experiment reads, is missing"));
+  std::ofstream(source) << "a";
+  EXPECT_EQ(made(folder.make()), kEverything);
+  std::ofstream(source) << "a";
+  EXPECT_EQ(made(folder.make()), "");
+  std::ofstream(source) << "b";
+  EXPECT_THAT(folder.status().text, HasSubstr("robot.urdf changed"));
+  EXPECT_EQ(made(folder.make()), "base");  // a fake stage's result does not depend on it
+}
+
+TEST(Runner, StagesFamiliesAndReplicationsByName) {
+  FakeFolder folder("goals");
+  EXPECT_EQ(made(folder.make("--replication 1 layer_b")), "base layer_a/01 layer_b/01");
+  EXPECT_EQ(made(folder.make("layer")), "layer_a/00 layer_b/00");
+  EXPECT_THAT(folder.make("layr_a").text,
+              HasSubstr("no stage 'layr_a' (did you mean 'layer_a'?); the stages are: base,"));
+  EXPECT_EQ(folder.make("layr_a").code, 2);
+  EXPECT_THAT(folder.make("--replication 2 layer_a").text,
+              HasSubstr("no replication 2: they go from 0 to 1"));
+}
+
+TEST(Runner, PlanTellsTheTruthAndWritesNothing) {
+  FakeFolder folder("plan");
+  const Outcome before = shell(folder.command("plan"));
+  EXPECT_EQ(before.code, 0);
+  EXPECT_THAT(before.text, HasSubstr("fake_stage --root"));
+  EXPECT_FALSE(fs::exists(folder.out()));
+  folder.make();
+  EXPECT_THAT(shell(folder.command("plan")).text, HasSubstr("nothing to do"));
+  folder.profile.sum.number = 9;
+  const std::string after = shell(folder.command("plan")).text;
+  EXPECT_EQ(std::count(after.begin(), after.end(), '\n'), 2) << after;  // sum, and perhaps pages
+  EXPECT_THAT(after, HasSubstr("# if its inputs become others"));
+}
+
+TEST(Runner, ADamagedArtifactIsToldAndMadeAgain) {
+  FakeFolder folder("damage");
+  folder.make();
+  const auto artifacts = folder.artifacts();
+  std::ofstream(folder.out() / "layer_a/00.h5", std::ios::app) << "x";
+  std::ofstream(folder.out() / "pages/extra.txt") << "x";
+  const Outcome audit = shell(folder.command("audit"));
+  EXPECT_EQ(audit.code, 1);
+  EXPECT_THAT(audit.text, HasSubstr("layer_a/00.h5: damaged: expected sha256"));
+  EXPECT_THAT(audit.text, HasSubstr("7 artifacts read again"));
+  EXPECT_THAT(audit.text, HasSubstr("2 not as they should be"));
+  const Outcome again = folder.make();
+  EXPECT_THAT(again.text, HasSubstr("layer_a/00.h5: damaged"));
+  EXPECT_EQ(made(again), "layer_a/00 pages");
+  EXPECT_TRUE(folder.artifacts() == artifacts);
+  std::ofstream(folder.out() / "sum.json") << "{";
+  EXPECT_EQ(made(folder.make()), "sum");
+}
+
+TEST(Runner, AFailingStageLeavesNothing) {
+  const std::map<std::string, std::string> told{
+      {"refuses", "layer_a/00: layer_a/00: the fake input is wrong"},
+      {"leaves nothing", "succeeded, but left nothing at"},
+      {"crashes", "fake_stage was ended by a signal: Aborted"}};
+  for (const auto& [behaviour, text] : told) {
+    FakeFolder folder("failing");
+    folder.profile.layer_a.behaviour = behaviour;
+    const Outcome outcome = folder.make();
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_THAT(outcome.text, HasSubstr(text));
+    EXPECT_EQ(folder.artifacts().size(), 1u);  // base
+    folder.profile.layer_a.behaviour = "works";
+    EXPECT_EQ(folder.make().code, 0);
+  }
+}
+
+TEST(Runner, LaunchWordsStandBeforeEveryStage) {
+  FakeFolder folder("launch");
+  const Outcome outcome = folder.make("--launch \"env FAKE=1 nice -n 1\" base");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_EQ(made(outcome), "base");
+  EXPECT_EQ(made(folder.make("--threads 1 base")), "");  // neither is part of the key
+  folder.profile.base.number = 7;
+  EXPECT_NE(folder.make("--launch no-such-launcher base").code, 0);
+}
+
+TEST(Runner, BadFoldersAndFullDisksAreOneClearLine) {
+  FakeFolder folder("places");
+  std::ofstream(folder.path / "file") << "x";
+  const Outcome below = shell(folder.command_at(folder.path / "file/out", "make"));
+  EXPECT_EQ(below.code, 2);
+  EXPECT_EQ(below.text, "hbr: " + (folder.path / "file/out").string() + ": can" +
+                            "'t make this output folder: Not a directory\n");
+  EXPECT_EQ(shell(folder.command_at("/proc/hbr", "make")).code, 2);
+
+  folder.profile.layer_a.size = 100'000;
+  const Outcome full = shell("ulimit -f 200; " + folder.command("make"));
+  EXPECT_NE(full.code, 0);
+  EXPECT_THAT(full.text, HasSubstr("layer_a/00: "));
+  EXPECT_THAT(full.text, HasSubstr("File too large"));
+  EXPECT_EQ(folder.artifacts().size(), 1u);  // base, and no temporary file
+  EXPECT_EQ(folder.make().code, 0);
+}
+
+TEST(Runner, ASmallFileSystemThatFillsUpIsToldAndRecoversFrom) {
+  FakeFolder folder("tmpfs");
+  fs::create_directories(folder.out());
+  if (shell("mount -t tmpfs -o size=1M tmpfs " + folder.out().string()).code != 0)
+    GTEST_SKIP() << "only root can mount a file system";
+  folder.profile.layer_b.size = 80'000;  // 640 kB each
+  const Outcome full = folder.make();
+  const auto artifacts = folder.artifacts();
+  const Outcome audit = shell(folder.command("audit"));
+  shell("mount -o remount,size=20M " + folder.out().string());
+  const Outcome again = folder.make();
+  shell("umount " + folder.out().string());
+  EXPECT_NE(full.code, 0);
+  EXPECT_THAT(full.text, HasSubstr("No space left on device"));
+  EXPECT_THAT(artifacts, Not(testing::Contains(testing::Key(HasSubstr(".tmp")))));
+  EXPECT_EQ(audit.code, 0) << audit.text;
+  EXPECT_EQ(again.code, 0) << again.text;
+}
+
+TEST(Runner, ASecondMakeIsToldSo) {
+  FakeFolder folder("second");
+  folder.profile.base.steps = 1500;
+  const Outcome both =
+      shell(folder.command("make") + " & sleep 0.3; " + folder.command("make") + "; echo code $?; kill %1");
+  EXPECT_THAT(both.text, HasSubstr("another make (process "));
+  EXPECT_THAT(both.text, HasSubstr("is at work in this folder"));
+  EXPECT_THAT(both.text, HasSubstr("code 2"));
+}
+
+// As large as the paper's experiment: 50 replications of 18 stages.
+TEST(Runner, ALargeExperimentIsPlannedInNoTime) {
+  FakeFolder folder("large");
+  folder.profile.replications = 450;
+  const auto started = std::chrono::steady_clock::now();
+  const Outcome plan = shell(folder.command("plan"));
+  EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(1));
+  EXPECT_EQ(std::count(plan.text.begin(), plan.text.end(), '\n'), 903);
+}
+
+TEST(ProgramHash, LeavesOutDebugInformationOnly) {
+  FakeFolder folder("program");
+  const fs::path program = std::string(HBR_BINARY_DIR) + "/fake/fake_stage",
+                 stripped = folder.path / "stripped";
+  shell("strip -g -o " + stripped.string() + " " + program.string());
+  EXPECT_NE(content_of(program).sha256, content_of(stripped).sha256);
+  EXPECT_EQ(sha256_of_program(program), sha256_of_program(stripped));
+  std::fstream file(stripped, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(4096 + 100));
+  file.put('\x5a');
+  file.close();
+  EXPECT_NE(sha256_of_program(program), sha256_of_program(stripped));
+  // FIPS 180-2, appendix B.1.
+  EXPECT_EQ(sha256_of_text("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+}  // namespace
+}  // namespace hbr
