@@ -75,7 +75,7 @@ all $(stages): experiment ;
 # The + hands over make's jobs, and lets `make -n` list what would run.
 experiment: build
 	+@$(if $(dry),[ -x $(programs)/hbr ] || { echo '# then all that the profile asks for: nothing is built yet'; exit 0; };) \
-	  exec $(programs)/hbr $(if $(dry),plan,make --make '$(MAKE)') $(arguments) $(goals)
+	  exec $(programs)/hbr $(if $(dry),plan,make --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
 
 status audit: build
 	@$(programs)/hbr $@ $(arguments)

@@ -31,6 +31,7 @@ struct Arguments {
   int replication = -1;
   int threads = 0;  // 0: the processors, shared among make's jobs
   std::string make = "make";
+  int parent = 0;      // the make that called; 0 for a person
   std::string output;  // of `run`
   Workspace workspace;
   RunOptions run;
@@ -103,7 +104,7 @@ void set(const char* name, const std::string& value) { ::setenv(name, value.c_st
 
 // Becomes make, which runs what is not fresh. The lock stays with it.
 int make(Arguments& arguments, const Graph& graph, const Graph& all) {
-  if (std::getenv("MAKELEVEL")) end_with_parent(::getppid());
+  if (arguments.parent > 0) end_with_parent(arguments.parent);
   lock_folder(arguments.workspace.out);
   arguments.workspace.remember = true;
   remove_temporaries(arguments.workspace, all);
@@ -152,11 +153,10 @@ int plan(Arguments& arguments, const Graph& graph) {
 }
 
 int run(Arguments& arguments) {
-  if (const char* make_process = std::getenv("HBR_MAKE"))
-    if (std::atoi(make_process) == ::getppid()) {
-      end_with_parent(::getppid());
-      leave_lock_to_parent();
-    }
+  if (const char* make_process = std::getenv("HBR_MAKE")) {
+    end_with_parent(std::atoi(make_process));
+    leave_lock_to_parent();
+  }
   arguments.workspace.remember = true;
   arguments.run.threads = threads_of_stage(arguments.threads);
   Node named;
@@ -202,6 +202,7 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
   };
   CLI::App* const make_command = add_for_profile("make", "make what is not fresh (through make)");
   make_command->add_option("--make", a.make, "the make to use");
+  make_command->add_option("--parent", a.parent, "the process with which to end");
   CLI::App* const plan_command = add_for_profile("plan", "check the profile and list what make would run");
   CLI::App* const status_command = add_for_profile("status", "tell what is fresh, stale or missing, and why");
   CLI::App* const audit_command =

@@ -48,7 +48,8 @@ TEST(Kill, AtAnyTimeLeavesTheSameBytesAfterTheSameCommand) {
   folder.profile.layer_a.steps = folder.profile.layer_b.steps = 10;
   ASSERT_EQ(shell(folder.command_at(folder.path / "whole", "make")).code, 0);
   // As the repository's Makefile does it: a make that becomes the tool that becomes a make.
-  std::ofstream(folder.path / "Makefile") << "all:\n\t+@exec " << folder.command("make") << " 2>>log\n";
+  std::ofstream(folder.path / "Makefile")
+      << "all:\n\t+@exec " << folder.command("make", "--parent $(shell echo $$PPID)") << " 2>>log\n";
 
   std::mt19937 random(1);  // any choice will do
   int killed = 0;
