@@ -1,0 +1,40 @@
+// Meshes of links from files (assimp: OBJ, STL, DAE, glTF and more) and back.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "models/simbody/mesh.h"
+#include "models/simbody/robot_model.h"
+
+namespace hbr {
+
+// The file behind a mesh's name in a URDF: below `folder` where one is given (the name's last parts, or a
+// file of the same stem in another format), else beside the URDF (relative, file://, or package://NAME/...
+// with a folder NAME somewhere above the URDF). Throws InputError, naming what was tried, where there is
+// none.
+std::filesystem::path find_mesh(const std::string& name, const std::filesystem::path& urdf,
+                                const std::filesystem::path& folder);
+
+// All triangles of a file, one mesh for each of its materials, multiplied by `scale`. Throws InputError for a
+// file that can't be read or holds no triangle.
+std::vector<Mesh> load_meshes(const std::filesystem::path& path, const Eigen::Vector3d& scale = {1, 1, 1});
+
+// What each link looks like, in its own frame; files are found as above and multiplied by `scale`.
+std::vector<std::vector<Mesh>> link_meshes(const RobotModel& model, const std::filesystem::path& folder,
+                                           double scale);
+
+// A body of a scene: meshes in its frame, and the frame's pose.
+struct Posed {
+  std::string name;
+  std::vector<Mesh> meshes;
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+};
+
+// Writes a scene; `format` is assimp's: "obj" (with its .mtl beside it), "glb2", ... Throws InputError where
+// that fails.
+void save_scene(const std::filesystem::path& path, const std::string& format,
+                const std::vector<Posed>& bodies);
+
+}  // namespace hbr

@@ -1,0 +1,73 @@
+// Pictures of a robot that draws a digit: one posture, a strip of poses, and the posed body as .glb.
+#include <opencv2/imgproc.hpp>
+
+#include "models/simbody/picture.h"
+#include "models/simbody/plane_file.h"
+#include "pipeline/artifact/stage.h"
+
+namespace hbr {
+namespace {
+
+struct PictureStage {
+  double half_side = 0;
+  RobotSettings robot;
+};
+
+template <class Fields>
+void describe(Fields& f, PictureStage& s) {
+  f.number("half_side", s.half_side, Range{1e-3, 1e3}, "L, m: the arm's drawing area is [-L, L]^2");
+  f.table("robot", s.robot, "the robot");
+}
+
+Drawing read_drawing(const std::filesystem::path& path, const Robot& robot) {
+  const Hdf5Reader file(path);
+  const auto joints = file.read<float>("picture/joints"), pen = file.read<float>("picture/pen");
+  if (joints.shape.size() != 2 || pen.shape.size() != 2 || pen.shape[1] != 2 || pen.shape[0] == 0 ||
+      joints.shape[0] != pen.shape[0] || joints.shape[1] != static_cast<std::size_t>(robot.dof()))
+    throw InputError(
+        "{}: picture/joints and picture/pen do not fit robot '{}'; expected [m x {}] and [m x 2]",
+        path.string(), robot.name(), robot.dof());
+  Drawing drawing;
+  drawing.joints.assign(joints.values.begin(), joints.values.end());
+  for (std::size_t i = 0; i < pen.shape[0]; ++i)
+    drawing.pen.emplace_back(pen.values[2 * i], pen.values[2 * i + 1]);
+  return drawing;
+}
+
+constexpr double kViewRad = 0.42;
+constexpr int kPoses = 5;
+
+void run(StageRun& stage) {
+  const auto settings = settings_from_json<PictureStage>(stage.settings(), stage.name());
+  const DrawingPlane plane = load_plane(stage.input("plane"));
+  const RobotOnPlane robot = make_robot(settings.robot, plane);
+  const auto folder =
+      stage.has_input("meshes") ? stage.input("meshes") : std::filesystem::path(settings.robot.meshes);
+  const auto meshes = link_meshes(robot.body().model(), folder, settings.robot.mesh_scale);
+  const Drawing drawing = read_drawing(stage.input("strokes"), robot);
+  const std::size_t last = drawing.pen.size() - 1;
+  std::filesystem::create_directories(stage.output());
+
+  const Scene finished = drawing_scene(robot, meshes, drawing, last, settings.half_side);
+  const Camera front = camera_for(finished, view_from_front(plane), kViewRad, 4. / 5);
+  write_png(stage.output() / "posture.png", render(finished, front, 1200, 1500));
+  save_scene(stage.output() / "posture.glb", "glb2", finished.bodies);
+
+  const Camera shoulder = camera_for(finished, view_over_shoulder(plane), kViewRad, 3. / 4);
+  std::vector<cv::Mat> poses;
+  for (int i = 0; i < kPoses; ++i) {
+    const Scene scene = drawing_scene(robot, meshes, drawing, last * (i + 1) / kPoses, settings.half_side);
+    poses.push_back(render(scene, shoulder, 420, 560));
+    stage.progress(i + 1, kPoses, "poses");
+  }
+  cv::Mat strip;
+  cv::hconcat(poses, strip);
+  write_png(stage.output() / "strip.png", strip);
+}
+
+}  // namespace
+}  // namespace hbr
+
+int main(int argc, char** argv) {
+  return hbr::stage_main(argc, argv, "Pictures of a robot that draws", hbr::run);
+}
