@@ -9,7 +9,7 @@ namespace {
 
 // Origin, azimuth, elevation, logarithm of the scale.
 using Pose = Eigen::Matrix<double, 6, 1>;
-constexpr double kMissed = 1e-3;  // m: the residuals' unit
+constexpr double kMissed = 5e-5;  // m, root mean square: as bad as a start left by its looseness
 const Pose kLoose = (Pose() << .02, .02, .02, .1, .1, .05).finished();
 
 Pose pose_of(const DrawingPlane& plane) {
@@ -36,6 +36,7 @@ class Missed final : public ceres::CostFunction {
     const Pose pose = Eigen::Map<const Pose>(parameters[0]);
     const DrawingPlane plane = plane_of(pose);
     const std::size_t n = points_.size();
+    const double unit = kMissed * std::sqrt(static_cast<double>(n));
     using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
     const bool wanted = jacobians && jacobians[0];
     Eigen::Map<Jacobian> slopes(wanted ? jacobians[0] : nullptr,
@@ -44,12 +45,12 @@ class Missed final : public ceres::CostFunction {
       const Eigen::Vector3d target = plane.to_robot(points_[i]);
       const Eigen::Vector3d gap = reach_.nearest(target, 3, 1e-5).gap;
       const double distance = gap.norm();
-      residuals[i] = distance / kMissed;
+      residuals[i] = distance / unit;
       if (!wanted) return;
       // The gradient of the distance to a set is the unit vector away from it, and 0 within.
       const Eigen::Vector3d away =
           distance > 1e-5 ? Eigen::Vector3d(gap / distance) : Eigen::Vector3d::Zero();
-      slopes.row(static_cast<Eigen::Index>(i)) = away.transpose() * moves(pose, points_[i]) / kMissed;
+      slopes.row(static_cast<Eigen::Index>(i)) = away.transpose() * moves(pose, points_[i]) / unit;
     });
     for (int k = 0; k < 6; ++k) {
       residuals[n + k] = (pose[k] - start_[k]) / kLoose[k];

@@ -1,7 +1,6 @@
 // Places a robot's drawing plane so that it reaches the arm's area.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "models/simbody/reach.h"
@@ -12,8 +11,8 @@ namespace hbr {
 
 // Moves origin, direction and scale of the robot's plane (Ceres, Levenberg-Marquardt) so that the sum of the
 // squared distances between `points` (drawing frame, m) on the plane and the tip's reach becomes least; the
-// plane's start is a weak prior (2 cm, 0.1 rad, 5 % of the scale weigh as much as one point missed by 1 mm).
-// The drawing stays upright (see DrawingPlane::facing). The start must be such a plane.
+// plane's start is a weak prior (2 cm, 0.1 rad, 5 % of the scale weigh as much as a root mean square distance
+// of 0.05 mm). The drawing stays upright (see DrawingPlane::facing). The start must be such a plane.
 DrawingPlane refine_plane(const RobotOnPlane& robot, const Reach& reach,
                           const std::vector<Eigen::Vector2d>& points, Workers& workers);
 

@@ -39,7 +39,7 @@ double covered(const DrawingPlane& plane, const std::vector<Eigen::Vector2d>& po
 
 TEST(NaoPlane, RefinementCoversTheArmsArea) {
   const double rad = std::numbers::pi / 180;
-  const auto fit = arm_area(.12), all = arm_area(.06);
+  const auto fit = arm_area(.1), all = arm_area(.06);
   Workers workers(2);
   const auto refined = [&](const DrawingPlane& start) {
     const RobotOnPlane robot = make_robot(nao(), start);
