@@ -91,15 +91,16 @@ HBR_INLINE void dense_backward(const Network& net, LayerIndex which, const Lanes
 
 // The row y of the slopes before a max-pool (Size wide): those of the winners, elsewhere zero.
 template <int Size, int N>
-HBR_INLINE void unpool_row(const Lanes* pooled, const ByteLanes* winner, int y, Lanes* row) {
+HBR_INLINE void unpool_row(const Lanes* pooled, const IntLanes* winners, int y, Lanes* row) {
   for (int v = 0; v < N; ++v)
-    for (int x = 0; x < Size; ++x)
+    for (int x = 0; x < Size; ++x) {
+      const Index pixel = y / 2 * (Size / 2) + x / 2;
+      const int corner = y % 2 * 2 + x % 2;
       for (int c = 0; c < kMaps; ++c) {
-        const Index at = (y / 2 * (Size / 2) + x / 2) * kMaps + c;
-        const auto won =
-            __builtin_convertvector(winner[v * kWinnerPlane + at], IntLanes) == y % 2 * 2 + x % 2;
-        row[v * kSlopePlane + x * kMaps + c] = won ? pooled[v * kSlopePlane + at] : Lanes{};
+        const auto won = (winners[v * kWinnersPlane + pixel] & (3 << (2 * c))) == (corner << (2 * c));
+        row[v * kSlopePlane + x * kMaps + c] = won ? pooled[v * kSlopePlane + pixel * kMaps + c] : Lanes{};
       }
+    }
 }
 
 // The first convolution: only lit pixels matter. Row by row of slopes, three taps of a row at once.
@@ -110,7 +111,7 @@ void conv1_gradient(const Tile<N>& tile, Slopes<N>& slopes, float* gradient) {
   const Lanes* image = tile.map(kImage) + kImageBorder;
   const Lanes* slope = slopes.map(kConv1Slope);
   for (int y = 0; y < kSide; ++y) {
-    unpool_row<kSide, N>(slopes.map(kPool1Slope), tile.winners + kWinner1, y, slopes.map(kConv1Slope));
+    unpool_row<kSide, N>(slopes.map(kPool1Slope), tile.winners + kWinners1, y, slopes.map(kConv1Slope));
     for (int ky = std::max(0, 4 - y); ky < std::min(9, kSide + 4 - y); ++ky) {
       const int row = y + ky - 4;
       const Span span = tile.spans[static_cast<std::size_t>(row)];
@@ -218,7 +219,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
 
   // Encoder's convolutions.
   for (int y = 0; y < 14; ++y)
-    unpool_row<14, N>(slopes.map(kPool2Slope), tile.winners + kWinner2, y,
+    unpool_row<14, N>(slopes.map(kPool2Slope), tile.winners + kWinners2, y,
                       slopes.map(kConv2Slope) + y * 14 * kMaps);
   kernel_gradient<3, kMaps, kMaps, 14, N>(tile.map(kPool1), kPlane, slopes.map(kConv2Slope), kSlopePlane,
                                           weights(kConv2));

@@ -21,7 +21,7 @@ HBR_INLINE void dense(const Network& network, LayerIndex which, const Lanes* in,
 // Convolution, max-pool and leaky rectifier (which commutes with the pool) at once.
 template <int Taps, int In, int Size, int N, bool Training, class Rows>
 HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weight, const float* bias,
-                                  const Rows& rows, float leak, Lanes* out, ByteLanes* winner) {
+                                  const Rows& rows, float leak, Lanes* out, IntLanes* winners) {
   constexpr int B = kConvolutionBlock<kMaps>;
   for (int y = 0; y < Size / 2; ++y)
     for (int x = 0; x < Size / 2; ++x)
@@ -40,13 +40,15 @@ HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weigh
               if constexpr (Training) from[v][b] = better ? IntLanes{} + corner : from[v][b];
             }
         }
-        const Index at = (y * (Size / 2) + x) * kMaps + o;
-        for (int v = 0; v < N; ++v)
-          for (int b = 0; b < B; ++b) {
-            out[v * kPlane + at + b] = leaky(best[v][b], leak);
-            if constexpr (Training)
-              winner[v * kWinnerPlane + at + b] = __builtin_convertvector(from[v][b], ByteLanes);
+        const Index pixel = y * (Size / 2) + x;
+        for (int v = 0; v < N; ++v) {
+          for (int b = 0; b < B; ++b) out[v * kPlane + pixel * kMaps + o + b] = leaky(best[v][b], leak);
+          if constexpr (Training) {
+            IntLanes packed = o == 0 ? IntLanes{} : winners[v * kWinnersPlane + pixel];
+            for (int b = 0; b < B; ++b) packed |= from[v][b] << (2 * (o + b));
+            winners[v * kWinnersPlane + pixel] = packed;
           }
+        }
       }
 }
 
@@ -57,10 +59,10 @@ void encode_tile(const Network& net, Tile<N>& tile) {
   const auto spans = [&](int row) { return tile.spans[static_cast<std::size_t>(row)]; };
   convolve_and_pool<9, 1, kSide, N, Training>(tile.map(kImage) + kImageBorder, kImageWidth,
                                               net.kernel(kConv1), net.bias(kConv1), spans, leak,
-                                              tile.map(kPool1), tile.winners + kWinner1);
+                                              tile.map(kPool1), tile.winners + kWinners1);
   convolve_and_pool<3, kMaps, 14, N, Training>(tile.map(kPool1), 14, net.kernel(kConv2), net.bias(kConv2),
                                                WholeRow<14>{}, leak, tile.map(kPool2),
-                                               tile.winners + kWinner2);
+                                               tile.winners + kWinners2);
   dense<N>(net, kDense1, tile.map(kPool2), tile.map(kHidden1), rectify);
   dense<N>(net, kDense2, tile.map(kHidden1), tile.map(kHidden2), rectify);
   dense<N>(net, kLatent, tile.map(kHidden2), tile.map(kPosition), [](Lanes x) { return tanh(x); });

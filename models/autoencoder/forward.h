@@ -27,7 +27,7 @@ enum Map : Index {
   kDecoded = kGrown2 + 14 * 14 * kMaps,
   kPlane = kDecoded + kPixels
 };
-inline constexpr Index kWinner1 = 0, kWinner2 = 14 * 14 * kMaps, kWinnerPlane = kWinner2 + kFlat;
+inline constexpr Index kWinners1 = 0, kWinners2 = 14 * 14, kWinnersPlane = kWinners2 + 7 * 7;
 
 template <int N>
 struct Tile {
@@ -35,8 +35,9 @@ struct Tile {
   const Lanes* map(Map m) const { return maps + m; }
 
   Lanes maps[N * kPlane] = {};
-  // Which of four pixels won a max-pool: row * 2 + column; the first of equals.
-  ByteLanes winners[N * kWinnerPlane] = {};
+  // Which of four pixels won a max-pool (row * 2 + column; the first of equals): for each pooled pixel two
+  // bits per channel, the first channel's lowest.
+  IntLanes winners[N * kWinnersPlane] = {};
   std::array<Span, kSide> spans{};  // of the union of the images
   int images = 0;                   // lanes past them hold black images
 };

@@ -20,7 +20,6 @@ inline constexpr int kLanes = 4;
 
 using Lanes [[gnu::vector_size(kLanes * 4)]] = float;
 using IntLanes [[gnu::vector_size(kLanes * 4)]] = std::int32_t;
-using ByteLanes [[gnu::vector_size(kLanes)]] = std::int8_t;
 
 // Outputs of a register block: as many as leave room for the operands.
 #if defined(__AVX512F__) || defined(__aarch64__)
@@ -29,7 +28,8 @@ inline constexpr int kBlock = 8;
 inline constexpr int kBlock = 4;
 #endif
 
-HBR_INLINE Lanes broadcast(float x) { return Lanes{} + x; }
+// Subtracting zero changes no number, so that compilers leave it out; adding it would turn -0 into 0.
+HBR_INLINE Lanes broadcast(float x) { return x - Lanes{}; }
 
 // In a fixed order: halves onto halves.
 HBR_INLINE float lane_sum(Lanes x) {
