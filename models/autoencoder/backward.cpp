@@ -3,14 +3,6 @@
 namespace hbr::net {
 namespace {
 
-HBR_INLINE Lanes load(const float* from) {
-  Lanes x;
-  std::memcpy(&x, from, sizeof x);
-  return x;
-}
-
-HBR_INLINE void store(float* to, Lanes x) { std::memcpy(to, &x, sizeof x); }
-
 // gradient[o % Channels] += sum over pixels and images of slope[pixel][o].
 template <int Channels, int N>
 void bias_gradient(const Lanes* slope, Index pixels, float* gradient) {
@@ -18,42 +10,84 @@ void bias_gradient(const Lanes* slope, Index pixels, float* gradient) {
   for (int v = 0; v < N; ++v)
     for (Index p = 0; p < pixels; ++p)
       for (int c = 0; c < Channels; ++c) sum[c] += slope[v * kSlopePlane + p * Channels + c];
-  for (int c = 0; c < Channels; ++c) gradient[c] += lane_sum(sum[c]);
+  add_lane_sums(sum, gradient);
 }
 
-// gradient[i][o] += in[i] * slope[o], summed over the images; here the lanes are outputs. I inputs and
-// O * kLanes outputs at a time stay in registers.
-template <int I, int O, int N>
-HBR_INLINE void outer_product(const Lanes* in, const float* rows, Index stride, float* gradient) {
-  Lanes sum[I][O];
+// Gradients by outer products, where there are enough outputs to fill the lanes: there the lanes are outputs,
+// and the images, now one per row, are summed over. `rows` [pixel][image][outputs] holds the slopes.
+
+// Turns slopes [pixel][output] of one plane into rows that are `stride` apart, from `outputs` on zero.
+void images_to_rows(const Lanes* slope, Index outputs, float* rows, Index stride) {
+  for (Index o = 0; o < stride; o += kLanes) {
+    Lanes block[kLanes];
+    for (int k = 0; k < kLanes; ++k) block[k] = o + k < outputs ? slope[o + k] : Lanes{};
+    transpose(block);
+    for (int l = 0; l < kLanes; ++l) store(rows + l * stride + o, block[l]);
+  }
+}
+
+// sum[i][o] += in[i] * slope[o], summed over the images of a plane, for I inputs and O * kLanes outputs.
+template <int I, int O>
+HBR_INLINE void outer_product(Lanes (&sum)[I][O], const Lanes* in, const float* rows, Index stride) {
+  for (int l = 0; l < kLanes; ++l) {
+    Lanes s[O];
 #pragma GCC unroll 4
+    for (int o = 0; o < O; ++o) s[o] = load(rows + l * stride + o * kLanes);
+#pragma GCC unroll 8
+    for (int i = 0; i < I; ++i) {
+      const Lanes x = broadcast(in[i][l]);
+#pragma GCC unroll 4
+      for (int o = 0; o < O; ++o) sum[i][o] += x * s[o];
+    }
+  }
+}
+
+// Keeps a block of a gradient in registers while add(sum) adds to it.
+template <int I, int O, class Add>
+HBR_INLINE void update_block(float* gradient, Index stride, Add&& add) {
+  Lanes sum[I][O];
+#pragma GCC unroll 8
   for (int i = 0; i < I; ++i)
 #pragma GCC unroll 4
     for (int o = 0; o < O; ++o) sum[i][o] = load(gradient + i * stride + o * kLanes);
-  for (int v = 0; v < N; ++v)
-    for (int l = 0; l < kLanes; ++l) {
-      Lanes s[O];
-#pragma GCC unroll 4
-      for (int o = 0; o < O; ++o) s[o] = load(rows + (v * kLanes + l) * stride + o * kLanes);
-#pragma GCC unroll 4
-      for (int i = 0; i < I; ++i) {
-        const Lanes x = broadcast(in[v * kPlane + i][l]);
-#pragma GCC unroll 4
-        for (int o = 0; o < O; ++o) sum[i][o] += x * s[o];
-      }
-    }
-#pragma GCC unroll 4
+  add(sum);
+#pragma GCC unroll 8
   for (int i = 0; i < I; ++i)
 #pragma GCC unroll 4
     for (int o = 0; o < O; ++o) store(gradient + i * stride + o * kLanes, sum[i][o]);
 }
 
+// The kernel of the sub-pixel convolution on the 7 x 7 maps: 8 inputs, 32 outputs.
+template <int N>
+void deconv2_gradient(const Lanes* in, const Lanes* slope, float* rows, float* gradient) {
+  constexpr int outputs = 4 * kMaps, O = std::min(2, outputs / kLanes), I = kBlock;
+  for (int v = 0; v < N; ++v) {
+    for (int p = 0; p < 7 * 7; ++p)
+      images_to_rows(slope + v * kSlopePlane + p * outputs, outputs, rows + p * kLanes * outputs, outputs);
+    for (int tap = 0; tap < 25; ++tap) {
+      const int dy = tap / 5 - 2, dx = tap % 5 - 2;
+      for (int i = 0; i < kMaps; i += I)
+        for (int o = 0; o < outputs; o += O * kLanes)
+          update_block<I, O>(gradient + (tap * kMaps + i) * outputs + o, outputs, [&](Lanes(&sum)[I][O]) {
+            for (int y = std::max(0, -dy); y < std::min(7, 7 - dy); ++y)
+              for (int x = std::max(0, -dx); x < std::min(7, 7 - dx); ++x)
+                outer_product(sum, in + v * kPlane + ((y + dy) * 7 + x + dx) * kMaps + i,
+                              rows + (y * 7 + x) * kLanes * outputs + o, outputs);
+          });
+    }
+  }
+}
+
 template <int I, int N>
-HBR_INLINE void outer_products(const Lanes* in, const float* rows, Index stride, float* gradient) {
+HBR_INLINE void dense_gradient(const Lanes* in, const float* rows, Index stride, float* gradient) {
+  const auto block = [&]<int O>(Index o, std::integral_constant<int, O>) {
+    update_block<I, O>(gradient + o, stride, [&](Lanes(&sum)[I][O]) {
+      for (int v = 0; v < N; ++v) outer_product(sum, in + v * kPlane, rows + v * kLanes * stride + o, stride);
+    });
+  };
   Index o = 0;
-  for (; o + 4 * kLanes <= stride; o += 4 * kLanes)
-    outer_product<I, 4, N>(in, rows + o, stride, gradient + o);
-  for (; o < stride; o += kLanes) outer_product<I, 1, N>(in, rows + o, stride, gradient + o);
+  for (; o + 4 * kLanes <= stride; o += 4 * kLanes) block(o, std::integral_constant<int, 4>());
+  for (; o < stride; o += kLanes) block(o, std::integral_constant<int, 1>());
 }
 
 // A dense layer: from the slopes of its outputs to its gradient and to the slopes of what it read, `in`,
@@ -64,17 +98,15 @@ HBR_INLINE void dense_backward(const Network& net, LayerIndex which, const Lanes
   const Layer& layer = net.layer(which);
   const Lanes* slope = slopes.map(from);
   for (int v = 0; v < N; ++v)
-    for (int l = 0; l < kLanes; ++l) {
-      float* row = slopes.rows + (v * kLanes + l) * layer.stride;
-      for (Index o = 0; o < layer.outputs; ++o) row[o] = slope[v * kSlopePlane + o][l];
-      for (Index o = layer.outputs; o < layer.stride; ++o) row[o] = 0;
-    }
+    images_to_rows(slope + v * kSlopePlane, layer.outputs, slopes.rows + v * kLanes * layer.stride,
+                   layer.stride);
   constexpr int block = kBlock / 2;
+  float* const kernel = gradient + layer.kernel;
   Index i = 0;
   for (; i + block <= layer.inputs; i += block)
-    outer_products<block, N>(in + i, slopes.rows, layer.stride, gradient + layer.kernel + i * layer.stride);
+    dense_gradient<block, N>(in + i, slopes.rows, layer.stride, kernel + i * layer.stride);
   for (; i < layer.inputs; ++i)
-    outer_products<1, N>(in + i, slopes.rows, layer.stride, gradient + layer.kernel + i * layer.stride);
+    dense_gradient<1, N>(in + i, slopes.rows, layer.stride, kernel + i * layer.stride);
   for (Index o = 0; o < layer.outputs; ++o) bias_gradient<1, N>(slope + o, 1, gradient + layer.bias + o);
 
   Lanes* below = slopes.map(to);
@@ -147,7 +179,11 @@ void conv1_gradient(const Tile<N>& tile, Slopes<N>& slopes, float* gradient) {
       }
     }
   }
-  for (int k = 0; k < 81 * kMaps; ++k) gradient[k] += lane_sum(slopes.conv1[k]);
+  for (int k = 0; k < 81 * kMaps; k += kMaps) {
+    Lanes sum[kMaps];
+    std::copy_n(slopes.conv1 + k, kMaps, sum);
+    add_lane_sums(sum, gradient + k);
+  }
 }
 
 }  // namespace
@@ -156,8 +192,8 @@ template <int N>
 void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float scale, float* gradient) {
   const float leak = net.leak;
   const auto rectified = [leak](Lanes y) { return leaky_slope(y, leak); };
-  float* const deconv2_gradient = gradient + net.layout.size;
-  float* const output_gradient = deconv2_gradient + kSubpixelDeconv2;
+  float* const to_deconv2 = gradient + net.layout.size;
+  float* const to_output = to_deconv2 + kSubpixelDeconv2;
   const auto weights = [&](LayerIndex i) { return gradient + net.layer(i).kernel; };
   const auto bias = [&](LayerIndex i) { return gradient + net.layer(i).bias; };
 
@@ -174,7 +210,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
       }
   }
   kernel_gradient<3, kMaps, 4, 14, N>(tile.map(kGrown2), kPlane, slopes.map(kOutputSlope), kSlopePlane,
-                                      output_gradient);
+                                      to_output);
   bias_gradient<1, N>(slopes.map(kOutputSlope), kPixels, bias(kOutput));
 
   // Decoder's convolutions.
@@ -196,8 +232,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
               sum[v][b] * rectified(tile.map(activation)[v * kPlane + at + b]);
     };
   };
-  kernel_gradient<5, kMaps, 4 * kMaps, 7, N>(tile.map(kGrown1), kPlane, slopes.map(kGrown2Slope), kSlopePlane,
-                                             deconv2_gradient);
+  deconv2_gradient<N>(tile.map(kGrown1), slopes.map(kGrown2Slope), slopes.rows, to_deconv2);
   bias_gradient<kMaps, N>(slopes.map(kGrown2Slope), 14 * 14, bias(kDeconv2));
   convolve<5, 4 * kMaps, kMaps, 7, N>(slopes.map(kGrown2Slope), kSlopePlane, net.deconv2_back.data(), nullptr,
                                       keep(kGrown1, kGrown1Slope, 7));

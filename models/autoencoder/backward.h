@@ -17,8 +17,8 @@ enum SlopeMap : Index {
   kHidden2Slope = kPositionSlope + kMaxLatent,
   kHidden1Slope = kHidden2Slope + kHidden,
   kPool2Slope = kHidden1Slope + kHidden,
-  kConv2Slope = kPool2Slope + kFlat,  // [14][14][8], before the pool
-  kPool1Slope = kConv2Slope + 14 * 14 * kMaps,
+  kConv2Slope = kGrown2Slope,  // [14][14][8], before the pool; follows it in the same place
+  kPool1Slope = kPool2Slope + kFlat,
   kConv1Slope = kPool1Slope + 14 * 14 * kMaps,  // one row, [28][8], before the pool
   kSlopePlane = kConv1Slope + kSide * kMaps
 };
@@ -28,8 +28,9 @@ struct Slopes {
   Lanes* map(SlopeMap m) { return maps + m; }
 
   Lanes maps[N * kSlopePlane] = {};
-  Lanes conv1[81 * kMaps] = {};               // gradient of the first kernel, still one lane per image
-  float rows[N * kLanes * (kFlat + 8)] = {};  // slopes of a dense layer, one row per image
+  Lanes conv1[81 * kMaps] = {};  // gradient of the first kernel, still one lane per image
+  // Slopes turned round, one row per image: of a dense layer, or of one plane's 7 x 7 maps of deconv2.
+  float rows[kLanes * std::max(N * (kFlat + 8), 14 * 14 * kMaps)] = {};
 };
 
 // After encode (training) and decode: adds d(scale * sum over images of the mean squared error per pixel) to

@@ -85,14 +85,22 @@ void load_images(Tile<N>& tile, int count, const Pixel* const* images) {
     while (end > begin && !row[end - 1]) --end;
     tile.spans[static_cast<std::size_t>(y)] = {begin, end};
   }
+  static_assert(kSide % 4 == 0 && kPixels % kLanes == 0);
   for (int v = 0; v < N; ++v) {
     const Pixel* source[kLanes];
     for (int l = 0; l < kLanes; ++l) source[l] = v * kLanes + l < count ? images[v * kLanes + l] : black;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        Lanes& to = tile.map(kImage)[v * kPlane + y * kImageWidth + kImageBorder + x];
-        for (int l = 0; l < kLanes; ++l) to[l] = static_cast<float>(source[l][y * kSide + x]) * scale;
+    for (int p = 0; p < kPixels; p += kLanes) {
+      Lanes block[kLanes];
+      for (int l = 0; l < kLanes; ++l) {
+        float row[kLanes];
+        for (int k = 0; k < kLanes; ++k) row[k] = static_cast<float>(source[l][p + k]) * scale;
+        block[l] = load(row);
       }
+      transpose(block);
+      for (int k = 0; k < kLanes; ++k)
+        tile.map(kImage)[v * kPlane + (p + k) / kSide * kImageWidth + kImageBorder + (p + k) % kSide] =
+            block[k];
+    }
   }
 }
 

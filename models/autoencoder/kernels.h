@@ -92,6 +92,18 @@ HBR_INLINE void convolve(const Lanes* in, Index plane, const float* weight, cons
       }
 }
 
+// to[i] += sum of all lanes of sums[i], for i < n.
+template <int Count>
+HBR_INLINE void add_lane_sums(const Lanes (&sums)[Count], float* to) {
+  for (int i = 0; i < Count; i += kLanes) {
+    Lanes group[kLanes];
+#pragma GCC unroll 16
+    for (int k = 0; k < kLanes; ++k) group[k] = i + k < Count ? sums[i + k] : Lanes{};
+    const Lanes total = lane_sums(group);
+    for (int k = 0; k < std::min(kLanes, Count - i); ++k) to[i + k] += total[k];
+  }
+}
+
 // gradient[k][o] += sum over pixels and images of in * slope, for a convolution of a Size x Size map.
 // in [Size][Size][In], slope [Size][Size][Out]; gradient {rows, columns, In, Out}.
 template <int Taps, int In, int Out, int Size, int N>
@@ -104,7 +116,7 @@ void kernel_gradient(const Lanes* in, Index in_plane, const Lanes* slope, Index 
       const int x0 = std::max(0, -dx), x1 = std::min(Size, Size - dx);
       for (int o = 0; o < Out; o += B)
         for (int i = 0; i < In; i += 2) {
-          Lanes sum[2][B] = {};
+          Lanes sum[2 * B] = {};
           for (int v = 0; v < N; ++v)
             for (int y = std::max(0, -dy); y < std::min(Size, Size - dy); ++y) {
               const Lanes* a = in + v * in_plane + ((y + dy) * Size + x0 + dx) * In + i;
@@ -114,14 +126,16 @@ void kernel_gradient(const Lanes* in, Index in_plane, const Lanes* slope, Index 
 #pragma GCC unroll 8
                 for (int b = 0; b < B; ++b) {
                   const Lanes g = s[b];
-                  sum[0][b] += g * a0;
-                  sum[1][b] += g * a1;
+                  sum[b] += g * a0;
+                  sum[B + b] += g * a1;
                 }
               }
             }
+          float total[2 * B] = {};
+          add_lane_sums(sum, total);
           for (int j = 0; j < 2; ++j)
             for (int b = 0; b < B; ++b)
-              gradient[((ky * Taps + kx) * In + i + j) * Out + o + b] += lane_sum(sum[j][b]);
+              gradient[((ky * Taps + kx) * In + i + j) * Out + o + b] += total[j * B + b];
         }
     }
 }

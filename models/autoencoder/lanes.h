@@ -1,10 +1,11 @@
 // Vectors of floats, one lane per image. Their width follows the target of the compiler (16 lanes with
 // AVX-512, 8 with AVX, else 4); every operation on them is plain C++ on GCC's and Clang's vector types. A
-// lane never sees another one, except in `lane_sum`.
+// lane never sees another one, except in `transpose` and `lane_sums`.
 #pragma once
 
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #define HBR_INLINE [[gnu::always_inline]] inline
 
@@ -31,13 +32,45 @@ inline constexpr int kBlock = 4;
 // Subtracting zero changes no number, so that compilers leave it out; adding it would turn -0 into 0.
 HBR_INLINE Lanes broadcast(float x) { return x - Lanes{}; }
 
-// In a fixed order: halves onto halves.
-HBR_INLINE float lane_sum(Lanes x) {
-  float lane[kLanes];
-  std::memcpy(lane, &x, sizeof x);
-  for (int half = kLanes / 2; half > 0; half /= 2)
-    for (int i = 0; i < half; ++i) lane[i] += lane[i + half];
-  return lane[0];
+HBR_INLINE Lanes load(const float* from) {
+  Lanes x;
+  std::memcpy(&x, from, sizeof x);
+  return x;
+}
+
+HBR_INLINE void store(float* to, Lanes x) { std::memcpy(to, &x, sizeof x); }
+
+namespace detail {
+
+// Swaps the off-diagonal blocks of two rows, blocks being Width wide.
+template <int Width, int... Lane>
+HBR_INLINE void swap_blocks(Lanes& a, Lanes& b, std::integer_sequence<int, Lane...>) {
+  const Lanes upper = __builtin_shufflevector(a, b, (Lane & Width ? Lane - Width + kLanes : Lane)...);
+  const Lanes lower = __builtin_shufflevector(a, b, (Lane & Width ? Lane + kLanes : Lane + Width)...);
+  a = upper;
+  b = lower;
+}
+
+template <int Width>
+HBR_INLINE void transpose_blocks(Lanes (&rows)[kLanes]) {
+#pragma GCC unroll 16
+  for (int i = 0; i < kLanes; ++i)
+    if (!(i & Width)) swap_blocks<Width>(rows[i], rows[i + Width], std::make_integer_sequence<int, kLanes>());
+  if constexpr (2 * Width < kLanes) transpose_blocks<2 * Width>(rows);
+}
+
+}  // namespace detail
+
+// rows[i][j] becomes rows[j][i].
+HBR_INLINE void transpose(Lanes (&rows)[kLanes]) { detail::transpose_blocks<1>(rows); }
+
+// Lane i of the result is the sum of all lanes of sums[i].
+HBR_INLINE Lanes lane_sums(Lanes (&sums)[kLanes]) {
+  transpose(sums);
+  Lanes total = sums[0];
+#pragma GCC unroll 16
+  for (int i = 1; i < kLanes; ++i) total += sums[i];
+  return total;
 }
 
 // e^x, relative error below 2e-7, for |x| <= 87; beyond that as at the border.
