@@ -13,6 +13,44 @@ void bias_gradient(const Lanes* slope, Index pixels, float* gradient) {
   add_lane_sums(sum, gradient);
 }
 
+// The last layer's kernel in sub-pixel form; each parity has four of the nine taps. slope [28][28].
+template <int N>
+void output_gradient(const Lanes* in, const Lanes* slope, float* gradient) {
+  for (int parity = 0; parity < 4; ++parity)
+    for (int corner = 0; corner < 4; ++corner) {
+      const int py = parity / 2, px = parity % 2, dy = py + corner / 2 - 1, dx = px + corner % 2 - 1;
+      Lanes sum[kMaps] = {};
+      for (int v = 0; v < N; ++v)
+        for (int y = std::max(0, -dy); y < std::min(14, 14 - dy); ++y)
+          for (int x = std::max(0, -dx); x < std::min(14, 14 - dx); ++x) {
+            const Lanes s = slope[v * kSlopePlane + (2 * y + py) * kSide + 2 * x + px];
+            const Lanes* a = in + v * kPlane + ((y + dy) * 14 + x + dx) * kMaps;
+#pragma GCC unroll 8
+            for (int c = 0; c < kMaps; ++c) sum[c] += s * a[c];
+          }
+      float total[kMaps] = {};
+      add_lane_sums(sum, total);
+      for (int c = 0; c < kMaps; ++c)
+        gradient[(((dy + 1) * 3 + dx + 1) * kMaps + c) * 4 + parity] += total[c];
+    }
+}
+
+// From the slopes of the decoded pixels to those of the 14 x 14 maps below: store(y, x, first channel, sum).
+template <int N, class Store>
+HBR_INLINE void output_backward(const Network& net, const Lanes* slope, Store&& store) {
+  for (int y = 0; y < 14; ++y)
+    for (int x = 0; x < 14; ++x)
+      for (int o = 0; o < kMaps; o += kConvolutionBlock<kMaps>) {
+        Lanes sum[N][kConvolutionBlock<kMaps>];
+        start(sum, nullptr);
+        const int first = x == 0 ? 1 : 0, last = x == 13 ? 3 : 4;
+        for (int row = y == 0 ? 1 : 0; row < (y == 13 ? 3 : 4); ++row)
+          multiply_add(sum, last - first, slope + (2 * y - 1 + row) * kSide + 2 * x - 1 + first, kSlopePlane,
+                       net.output_back.data() + (row * 4 + first) * kMaps + o, kMaps, 1);
+        store(y, x, o, sum);
+      }
+}
+
 // Gradients by outer products, where there are enough outputs to fill the lanes: there the lanes are outputs,
 // and the images, now one per row, are summed over. `rows` [pixel][image][outputs] holds the slopes.
 
@@ -205,24 +243,21 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
       for (int x = 0; x < kSide; ++x) {
         const Lanes out = tile.map(kDecoded)[v * kPlane + y * kSide + x];
         const Lanes in = tile.map(kImage)[v * kPlane + y * kImageWidth + kImageBorder + x];
-        slopes.map(kOutputSlope)[v * kSlopePlane + (y / 2 * 14 + x / 2) * 4 + y % 2 * 2 + x % 2] =
-            (out - in) * out * (1.f - out) * factor;
+        slopes.map(kOutputSlope)[v * kSlopePlane + y * kSide + x] = (out - in) * out * (1.f - out) * factor;
       }
   }
-  kernel_gradient<3, kMaps, 4, 14, N>(tile.map(kGrown2), kPlane, slopes.map(kOutputSlope), kSlopePlane,
-                                      to_output);
+  output_gradient<N>(tile.map(kGrown2), slopes.map(kOutputSlope), to_output);
   bias_gradient<1, N>(slopes.map(kOutputSlope), kPixels, bias(kOutput));
 
   // Decoder's convolutions.
-  convolve<3, 4, kMaps, 14, N>(slopes.map(kOutputSlope), kSlopePlane, net.output_back.data(), nullptr,
-                               [&]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
-                                 const Index from = (y * 14 + x) * kMaps + o;
-                                 const Index to = ((y / 2 * 7 + x / 2) * 4 + y % 2 * 2 + x % 2) * kMaps + o;
-                                 for (int v = 0; v < N; ++v)
-                                   for (int b = 0; b < B; ++b)
-                                     slopes.map(kGrown2Slope)[v * kSlopePlane + to + b] =
-                                         sum[v][b] * rectified(tile.map(kGrown2)[v * kPlane + from + b]);
-                               });
+  output_backward<N>(net, slopes.map(kOutputSlope), [&]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
+    const Index from = (y * 14 + x) * kMaps + o;
+    const Index to = ((y / 2 * 7 + x / 2) * 4 + y % 2 * 2 + x % 2) * kMaps + o;
+    for (int v = 0; v < N; ++v)
+      for (int b = 0; b < B; ++b)
+        slopes.map(kGrown2Slope)[v * kSlopePlane + to + b] =
+            sum[v][b] * rectified(tile.map(kGrown2)[v * kPlane + from + b]);
+  });
   const auto keep = [&](Map activation, SlopeMap slope, int size) {
     return [&, activation, slope, size]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
       const Index at = (y * size + x) * kMaps + o;

@@ -7,7 +7,7 @@ namespace hbr::net {
 
 // Where a plane keeps the slopes: the derivative of the error by what enters a layer's rectifier.
 enum SlopeMap : Index {
-  kOutputSlope = 0,                       // [14][14][parity]
+  kOutputSlope = 0,                       // [28][28]
   kGrown2Slope = kOutputSlope + kPixels,  // [7][7][parity][8]
   kGrown1Slope = kGrown2Slope + 14 * 14 * kMaps,
   kSeedsSlope = kGrown1Slope + kFlat,

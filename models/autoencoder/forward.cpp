@@ -1,6 +1,7 @@
 #include "models/autoencoder/forward.h"
 
-#include <type_traits>
+#include <cmath>
+#include <utility>
 
 namespace hbr::net {
 namespace {
@@ -68,40 +69,80 @@ void encode_tile(const Network& net, Tile<N>& tile) {
   dense<N>(net, kLatent, tile.map(kHidden2), tile.map(kPosition), [](Lanes x) { return tanh(x); });
 }
 
+// The last convolution in sub-pixel form on 14 x 14 maps, and the sigmoid. Of its nine taps each parity sees
+// four.
+template <int N>
+HBR_INLINE void decode_output(const Network& net, const Lanes* in, Lanes* decoded) {
+  for (int y = 0; y < 14; ++y)
+    for (int x = 0; x < 14; ++x) {
+      Lanes sum[N][4];
+      start(sum, net.output_bias.data());
+      const auto add_tap = [&]<int Tap>(std::integral_constant<int, Tap>) {
+        constexpr int dy = Tap / 3 - 1, dx = Tap % 3 - 1;
+        if (y + dy < 0 || y + dy > 13 || x + dx < 0 || x + dx > 13) return;
+        const Lanes* from = in + ((y + dy) * 14 + x + dx) * kMaps;
+        const float* weight = net.output.data() + Tap * kMaps * 4;
+#pragma GCC unroll 8
+        for (int c = 0; c < kMaps; ++c)
+#pragma GCC unroll 4
+          for (int parity = 0; parity < 4; ++parity)
+            if ((parity / 2 ? dy >= 0 : dy <= 0) && (parity % 2 ? dx >= 0 : dx <= 0)) {
+              const Lanes w = broadcast(weight[c * 4 + parity]);
+#pragma GCC unroll 4
+              for (int v = 0; v < N; ++v) sum[v][parity] += w * from[v * kPlane + c];
+            }
+      };
+      [&]<int... Tap>(std::integer_sequence<int, Tap...>) {
+        (add_tap(std::integral_constant<int, Tap>()), ...);
+      }
+      (std::make_integer_sequence<int, 9>());
+      for (int v = 0; v < N; ++v)
+        for (int parity = 0; parity < 4; ++parity)
+          decoded[v * kPlane + (2 * y + parity / 2) * kSide + 2 * x + parity % 2] = sigmoid(sum[v][parity]);
+    }
+}
+
+float brightness(float pixel) { return pixel; }
+float brightness(std::uint8_t pixel) { return static_cast<float>(pixel) * (1.f / 255.f); }
+
+// The columns of each row outside of which `light`, the sum of all images, is zero.
+std::array<Span, kSide> lit_spans(const float (&light)[kPixels]) {
+  std::array<Span, kSide> spans;
+  for (int y = 0; y < kSide; ++y) {
+    const float* row = light + y * kSide;
+    int begin = 0, end = kSide;
+    while (begin < end && row[begin] == 0) ++begin;
+    while (end > begin && row[end - 1] == 0) --end;
+    spans[static_cast<std::size_t>(y)] = {begin, end};
+  }
+  return spans;
+}
+
 }  // namespace
 
 template <int N, class Pixel>
 void load_images(Tile<N>& tile, int count, const Pixel* const* images) {
-  constexpr float scale = std::is_same_v<Pixel, float> ? 1.f : 1.f / 255.f;
   static constexpr Pixel black[kPixels] = {};
   tile.images = count;
-  bool lit[kPixels] = {};
-  for (int i = 0; i < count; ++i)
-    for (int p = 0; p < kPixels; ++p) lit[p] |= images[i][p] != 0;
-  for (int y = 0; y < kSide; ++y) {
-    const bool* row = lit + y * kSide;
-    const int begin = static_cast<int>(std::find(row, row + kSide, true) - row);
-    int end = kSide;
-    while (end > begin && !row[end - 1]) --end;
-    tile.spans[static_cast<std::size_t>(y)] = {begin, end};
-  }
-  static_assert(kSide % 4 == 0 && kPixels % kLanes == 0);
+  float light[kPixels] = {};
+  static_assert(kPixels % kLanes == 0);
   for (int v = 0; v < N; ++v) {
-    const Pixel* source[kLanes];
-    for (int l = 0; l < kLanes; ++l) source[l] = v * kLanes + l < count ? images[v * kLanes + l] : black;
+    float rows[kLanes][kPixels];
+    for (int l = 0; l < kLanes; ++l) {
+      const Pixel* image = v * kLanes + l < count ? images[v * kLanes + l] : black;
+      for (int p = 0; p < kPixels; ++p) rows[l][p] = brightness(image[p]);
+      for (int p = 0; p < kPixels; ++p) light[p] += std::abs(rows[l][p]);
+    }
     for (int p = 0; p < kPixels; p += kLanes) {
       Lanes block[kLanes];
-      for (int l = 0; l < kLanes; ++l) {
-        float row[kLanes];
-        for (int k = 0; k < kLanes; ++k) row[k] = static_cast<float>(source[l][p + k]) * scale;
-        block[l] = load(row);
-      }
+      for (int l = 0; l < kLanes; ++l) block[l] = load(rows[l] + p);
       transpose(block);
       for (int k = 0; k < kLanes; ++k)
         tile.map(kImage)[v * kPlane + (p + k) / kSide * kImageWidth + kImageBorder + (p + k) % kSide] =
             block[k];
     }
   }
+  tile.spans = lit_spans(light);
 }
 
 template <int N>
@@ -131,13 +172,7 @@ void decode(const Network& net, Tile<N>& tile) {
         for (int v = 0; v < N; ++v)
           for (int b = 0; b < B; ++b) tile.map(kGrown2)[v * kPlane + at + b] = rectify(sum[v][b]);
       });
-  convolve<3, kMaps, 4, 14, N>(
-      tile.map(kGrown2), kPlane, net.output.data(), net.output_bias.data(),
-      [&](int y, int x, int, Lanes(&sum)[N][4]) {
-        for (int v = 0; v < N; ++v)
-          for (int b = 0; b < 4; ++b)
-            tile.map(kDecoded)[v * kPlane + (2 * y + b / 2) * kSide + 2 * x + b % 2] = sigmoid(sum[v][b]);
-      });
+  decode_output<N>(net, tile.map(kGrown2), tile.map(kDecoded));
 }
 
 template <int N>

@@ -1,5 +1,6 @@
 #include "models/autoencoder/network.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hbr::net {
@@ -34,6 +35,18 @@ void turn_round(int size, int inputs, int outputs, const float* kernel, Floats& 
     for (int i = 0; i < inputs; ++i)
       for (int o = 0; o < outputs; ++o)
         back[((size * size - 1 - tap) * outputs + o) * inputs + i] = kernel[(tap * inputs + i) * outputs + o];
+}
+
+// The small pixel i reaches the output pixels 2i - 1 ... 2i + 2 in each direction, through one or two taps.
+void output_to_window(const float* kernel, Floats& window) {
+  window.assign(4 * 4 * kMaps, 0.f);
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      for (int ky = std::max(0, 2 - row); ky <= std::min(2, 3 - row); ++ky)
+        for (int kx = std::max(0, 2 - column); kx <= std::min(2, 3 - column); ++kx)
+          for (int i = 0; i < kMaps; ++i)
+            window[static_cast<std::size_t>((row * 4 + column) * kMaps + i)] +=
+                kernel[(ky * 3 + kx) * kMaps + i];
 }
 
 }  // namespace
@@ -107,7 +120,7 @@ void Network::refresh() {
   turn_round(3, kMaps, kMaps, kernel(kConv2), conv2_back);
   turn_round(3, kMaps, kMaps, kernel(kDeconv1), deconv1_back);
   turn_round(5, kMaps, 4 * kMaps, deconv2.data(), deconv2_back);
-  turn_round(3, kMaps, 4, output.data(), output_back);
+  output_to_window(kernel(kOutput), output_back);
 }
 
 }  // namespace hbr::net

@@ -96,7 +96,8 @@ class Network {
   Floats deconv2, output;  // sub-pixel forms
   Floats output_bias;      // of the four parities
   Floats deconv2_bias;
-  Floats conv2_back, deconv1_back, deconv2_back, output_back;  // turned round, inputs and outputs swapped
+  Floats conv2_back, deconv1_back, deconv2_back;  // turned round, inputs and outputs swapped
+  Floats output_back;  // {4, 4, inputs}: from a window of output pixels to the small pixel in its middle
 };
 
 }  // namespace hbr::net
