@@ -16,7 +16,7 @@ DEPS ?= auto
 REP ?=
 export MNIST_DIR
 
-targets := help deps build all test bench sanitize coverage format tidy status audit graph clean distclean
+targets := help deps build data all test bench sanitize coverage format tidy status audit graph clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -39,7 +39,7 @@ help:
 	@echo 'make status          what is fresh, stale or missing, and why'
 	@echo 'make audit           read every artifact again and compare it with its manifest'
 	@echo 'make graph           OUT/graph.svg: the stages and what they hand on'
-	@echo 'make deps, build     install what is missing; build the programs'
+	@echo 'make deps, build, data   install what is missing; build the programs; fetch MNIST'
 	@echo 'make clean           remove build/; distclean: out/ and .cache/ (downloads), too'
 	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
@@ -72,8 +72,11 @@ build: build/.packages build/release/build.ninja
 
 all $(stages): experiment ;
 
+data: build/.packages
+	@DEPS='$(DEPS)' pipeline/fetch_mnist.sh .cache/mnist
+
 # The + hands over make's jobs, and lets `make -n` list what would run.
-experiment: build
+experiment: build data
 	+@$(if $(dry),[ -x $(programs)/hbr ] || { echo '# then all that the profile asks for: nothing is built yet'; exit 0; };) \
 	  exec $(programs)/hbr $(if $(dry),plan,make --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
 

@@ -94,8 +94,7 @@ std::string HashCache::program(const std::string& name) {
 
 std::string HashCache::source(const std::string& path) {
   const fs::path full = workspace_.repository / path;
-  if (!fs::exists(full))
-    throw InputError("{}: this file, which the experiment reads, is missing", full.string());
+  if (!fs::exists(full)) return "";
   return remembered(full, [](const fs::path& file) { return content_of(file).sha256; });
 }
 
@@ -119,6 +118,12 @@ Freshness freshness_of(const Workspace& workspace, const Node& node,
   found.ingredients.inputs = std::move(inputs);
   for (const std::string& source : node.sources) found.ingredients.sources.push_back(hashes.source(source));
   found.key = found.ingredients.key();
+  for (std::size_t i = 0; i < node.sources.size(); ++i)
+    if (found.ingredients.sources[i].empty()) {
+      found.why = fmt::format("the file {}, which it reads, is missing",
+                              (workspace.repository / node.sources[i]).string());
+      return found;
+    }
 
   if (!fs::exists(workspace.out / node.output)) {
     found.why = "missing";

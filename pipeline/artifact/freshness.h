@@ -23,10 +23,9 @@ struct Workspace {
 class HashCache {
  public:
   explicit HashCache(const Workspace& workspace);
-  // Throw InputError where the file is missing.
-  std::string program(const std::string& name);
-  std::string source(const std::string& path);
-  void save();  // where anything was hashed and the workspace may remember
+  std::string program(const std::string& name);  // throws InputError where it is missing
+  std::string source(const std::string& path);   // empty where it is missing
+  void save();                                   // where anything was hashed and the workspace may remember
 
  private:
   template <class Hash>

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -131,6 +132,9 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
   HashCache hashes(workspace);
   const Freshness found = freshness_of(workspace, node, std::move(inputs), hashes);
   if (found.state == State::fresh) return 0;
+  const std::vector<std::string>& sources = found.ingredients.sources;
+  if (std::find(sources.begin(), sources.end(), "") != sources.end())
+    throw InputError("{}: {}", name, found.why);
   const fs::path artifact = workspace.out / node.output, manifest_file = manifest_path(workspace.out, node);
   if (found.state == State::damaged)
     fmt::print(stderr, "{}: {}; it is made again\n", artifact.string(), found.why);

@@ -58,7 +58,10 @@ TEST(Runner, SourcesCountByContent) {
   FakeFolder folder("sources");
   const fs::path source = folder.path / "robot.urdf";
   folder.profile.sources = {source.string()};
-  EXPECT_THAT(folder.make().text, HasSubstr("robot.urdf: this file, which the experiment reads, is missing"));
+  const Outcome missing = folder.make();
+  EXPECT_NE(missing.code, 0);
+  EXPECT_THAT(missing.text, HasSubstr("base: the file " + source.string() + ", which it reads, is missing"));
+  EXPECT_THAT(folder.status().text, HasSubstr("robot.urdf, which it reads, is missing"));
   std::ofstream(source) << "a";
   EXPECT_EQ(made(folder.make()), kEverything);
   std::ofstream(source) << "a";
