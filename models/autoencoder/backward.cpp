@@ -1,17 +1,9 @@
 #include "models/autoencoder/backward.h"
 
+#include "models/autoencoder/gradient_kernels.h"
+
 namespace hbr::net {
 namespace {
-
-// gradient[o % Channels] += sum over pixels and images of slope[pixel][o].
-template <int Channels, int N>
-void bias_gradient(const Lanes* slope, Index pixels, float* gradient) {
-  Lanes sum[Channels] = {};
-  for (int v = 0; v < N; ++v)
-    for (Index p = 0; p < pixels; ++p)
-      for (int c = 0; c < Channels; ++c) sum[c] += slope[v * kSlopePlane + p * Channels + c];
-  add_lane_sums(sum, gradient);
-}
 
 // The last layer's kernel in sub-pixel form; each parity has four of the nine taps. slope [28][28].
 template <int N>
@@ -49,50 +41,6 @@ HBR_INLINE void output_backward(const Network& net, const Lanes* slope, Store&& 
                        net.output_back.data() + (row * 4 + first) * kMaps + o, kMaps, 1);
         store(y, x, o, sum);
       }
-}
-
-// Gradients by outer products, where there are enough outputs to fill the lanes: there the lanes are outputs,
-// and the images, now one per row, are summed over. `rows` [pixel][image][outputs] holds the slopes.
-
-// Turns slopes [pixel][output] of one plane into rows that are `stride` apart, from `outputs` on zero.
-void images_to_rows(const Lanes* slope, Index outputs, float* rows, Index stride) {
-  for (Index o = 0; o < stride; o += kLanes) {
-    Lanes block[kLanes];
-    for (int k = 0; k < kLanes; ++k) block[k] = o + k < outputs ? slope[o + k] : Lanes{};
-    transpose(block);
-    for (int l = 0; l < kLanes; ++l) store(rows + l * stride + o, block[l]);
-  }
-}
-
-// sum[i][o] += in[i] * slope[o], summed over the images of a plane, for I inputs and O * kLanes outputs.
-template <int I, int O>
-HBR_INLINE void outer_product(Lanes (&sum)[I][O], const Lanes* in, const float* rows, Index stride) {
-  for (int l = 0; l < kLanes; ++l) {
-    Lanes s[O];
-#pragma GCC unroll 4
-    for (int o = 0; o < O; ++o) s[o] = load(rows + l * stride + o * kLanes);
-#pragma GCC unroll 8
-    for (int i = 0; i < I; ++i) {
-      const Lanes x = broadcast(in[i][l]);
-#pragma GCC unroll 4
-      for (int o = 0; o < O; ++o) sum[i][o] += x * s[o];
-    }
-  }
-}
-
-// Keeps a block of a gradient in registers while add(sum) adds to it.
-template <int I, int O, class Add>
-HBR_INLINE void update_block(float* gradient, Index stride, Add&& add) {
-  Lanes sum[I][O];
-#pragma GCC unroll 8
-  for (int i = 0; i < I; ++i)
-#pragma GCC unroll 4
-    for (int o = 0; o < O; ++o) sum[i][o] = load(gradient + i * stride + o * kLanes);
-  add(sum);
-#pragma GCC unroll 8
-  for (int i = 0; i < I; ++i)
-#pragma GCC unroll 4
-    for (int o = 0; o < O; ++o) store(gradient + i * stride + o * kLanes, sum[i][o]);
 }
 
 // The kernel of the sub-pixel convolution on the 7 x 7 maps: 8 inputs, 32 outputs.
@@ -145,7 +93,8 @@ HBR_INLINE void dense_backward(const Network& net, LayerIndex which, const Lanes
     dense_gradient<block, N>(in + i, slopes.rows, layer.stride, kernel + i * layer.stride);
   for (; i < layer.inputs; ++i)
     dense_gradient<1, N>(in + i, slopes.rows, layer.stride, kernel + i * layer.stride);
-  for (Index o = 0; o < layer.outputs; ++o) bias_gradient<1, N>(slope + o, 1, gradient + layer.bias + o);
+  for (Index o = 0; o < layer.outputs; ++o)
+    bias_gradient<1, N>(slope + o, kSlopePlane, 1, gradient + layer.bias + o);
 
   Lanes* below = slopes.map(to);
   for_blocks(layer.inputs, [&]<int B>(Index k) {
@@ -247,7 +196,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
       }
   }
   output_gradient<N>(tile.map(kGrown2), slopes.map(kOutputSlope), to_output);
-  bias_gradient<1, N>(slopes.map(kOutputSlope), kPixels, bias(kOutput));
+  bias_gradient<1, N>(slopes.map(kOutputSlope), kSlopePlane, kPixels, bias(kOutput));
 
   // Decoder's convolutions.
   output_backward<N>(net, slopes.map(kOutputSlope), [&]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
@@ -268,12 +217,12 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
     };
   };
   deconv2_gradient<N>(tile.map(kGrown1), slopes.map(kGrown2Slope), slopes.rows, to_deconv2);
-  bias_gradient<kMaps, N>(slopes.map(kGrown2Slope), 14 * 14, bias(kDeconv2));
+  bias_gradient<kMaps, N>(slopes.map(kGrown2Slope), kSlopePlane, 14 * 14, bias(kDeconv2));
   convolve<5, 4 * kMaps, kMaps, 7, N>(slopes.map(kGrown2Slope), kSlopePlane, net.deconv2_back.data(), nullptr,
                                       keep(kGrown1, kGrown1Slope, 7));
   kernel_gradient<3, kMaps, kMaps, 7, N>(tile.map(kSeeds), kPlane, slopes.map(kGrown1Slope), kSlopePlane,
                                          weights(kDeconv1));
-  bias_gradient<kMaps, N>(slopes.map(kGrown1Slope), 7 * 7, bias(kDeconv1));
+  bias_gradient<kMaps, N>(slopes.map(kGrown1Slope), kSlopePlane, 7 * 7, bias(kDeconv1));
   convolve<3, kMaps, kMaps, 7, N>(slopes.map(kGrown1Slope), kSlopePlane, net.deconv1_back.data(), nullptr,
                                   keep(kSeeds, kSeedsSlope, 7));
 
@@ -293,11 +242,11 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
                       slopes.map(kConv2Slope) + y * 14 * kMaps);
   kernel_gradient<3, kMaps, kMaps, 14, N>(tile.map(kPool1), kPlane, slopes.map(kConv2Slope), kSlopePlane,
                                           weights(kConv2));
-  bias_gradient<kMaps, N>(slopes.map(kPool2Slope), 7 * 7, bias(kConv2));
+  bias_gradient<kMaps, N>(slopes.map(kPool2Slope), kSlopePlane, 7 * 7, bias(kConv2));
   convolve<3, kMaps, kMaps, 14, N>(slopes.map(kConv2Slope), kSlopePlane, net.conv2_back.data(), nullptr,
                                    keep(kPool1, kPool1Slope, 14));
   conv1_gradient(tile, slopes, weights(kConv1));
-  bias_gradient<kMaps, N>(slopes.map(kPool1Slope), 14 * 14, bias(kConv1));
+  bias_gradient<kMaps, N>(slopes.map(kPool1Slope), kSlopePlane, 14 * 14, bias(kConv1));
 }
 
 template void backward(const Network&, const Tile<2>&, Slopes<2>&, float, float*);
