@@ -70,7 +70,8 @@ build: build/.packages build/release/build.ninja
 
 # The experiment -------------------------------------------------------------------------------------------------
 
-all $(stages): experiment ;
+all $(stages): experiment
+	@:
 
 data: build/.packages
 	@DEPS='$(DEPS)' pipeline/fetch_mnist.sh .cache/mnist

@@ -25,9 +25,12 @@ std::set<std::string> stages_meant(const std::vector<std::string>& stages, const
   std::set<std::string> family;
   for (const std::string& stage : stages)
     if (stage.starts_with(goal + "_")) family.insert(stage);
-  if (family.empty())
-    throw InputError("no stage '{}'{}; the stages are: {}", goal, did_you_mean(goal, stages),
+  if (family.empty()) {
+    std::vector<std::string> names = stages;
+    for (const std::string& stage : stages) names.push_back(stage.substr(0, stage.find('_')));
+    throw InputError("no stage '{}'{}; the stages are: {}", goal, did_you_mean(goal, names),
                      fmt::join(stages, ", "));
+  }
   return family;
 }
 

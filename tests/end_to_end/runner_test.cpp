@@ -78,6 +78,7 @@ TEST(Runner, StagesFamiliesAndReplicationsByName) {
   EXPECT_THAT(folder.make("layr_a").text,
               HasSubstr("no stage 'layr_a' (did you mean 'layer_a'?); the stages are: base,"));
   EXPECT_EQ(folder.make("layr_a").code, 2);
+  EXPECT_THAT(folder.make("layr").text, HasSubstr("(did you mean 'layer'?)"));
   EXPECT_THAT(folder.make("--replication 2 layer_a").text,
               HasSubstr("no replication 2: they go from 0 to 1"));
 }
