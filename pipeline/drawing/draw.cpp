@@ -46,7 +46,13 @@ class Ink {
       x = to_x;
       y = to_y;
     }
-    for (float& value : squared_) value = std::clamp(reach_ - std::sqrt(value), 0.0f, 1.0f);
+    // Without std::clamp, whose references keep the loop from being vectorised.
+    const float reach = reach_;
+    for (float& value : squared_) {
+      float share = reach - std::sqrt(value);
+      share = share < 0 ? 0 : share;
+      value = share > 1 ? 1 : share;
+    }
   }
 
   // Mean ink of each pixel.
@@ -61,6 +67,25 @@ class Ink {
         image[y * kImageSide + x] = sum * (1.0f / (kSub * kSub));
       }
     }
+  }
+
+  // Centre of mass in pixels from the image's left and upper edge; the image's middle where there is no ink.
+  std::array<double, 2> centre_of_mass() const {
+    std::array<float, kRow> column{}, moment{};
+    for (int y = 0; y < kSize; ++y)
+      for (int x = 0; x < kRow; ++x) {
+        const float ink = squared_[y * kRow + x];
+        column[x] += ink;
+        moment[x] += ink * (static_cast<float>(y) + 0.5f);
+      }
+    double mass = 0, mass_x = 0, mass_y = 0;
+    for (int x = 0; x < kSize; ++x) {
+      mass += column[x];
+      mass_x += column[x] * (x + 0.5);
+      mass_y += moment[x];
+    }
+    if (mass <= 0) return {kImageSide / 2.0, kImageSide / 2.0};
+    return {mass_x / mass / kSub, mass_y / mass / kSub};
   }
 
  private:
@@ -141,25 +166,9 @@ View box_view(const Path& path, double width_px) {
   view.origin_y = (double{box.low} + box.high) / 2;
   view.at_x = view.at_y = kImageSide / 2.0;
 
-  std::array<float, kImagePixels> image;
-  Ink(path, view, width_px).pixels(image.data());
-  std::array<float, kImageSide> column{}, column_moment{};
-  for (int y = 0; y < kImageSide; ++y)
-    for (int x = 0; x < kImageSide; ++x) {
-      const float ink = image[y * kImageSide + x];
-      column[x] += ink;
-      column_moment[x] += ink * (static_cast<float>(y) + 0.5f);
-    }
-  double mass = 0, moment_x = 0, moment_y = 0;
-  for (int x = 0; x < kImageSide; ++x) {
-    mass += column[x];
-    moment_x += column[x] * (x + 0.5);
-    moment_y += column_moment[x];
-  }
-  if (mass > 0) {
-    view.at_x = centred(moment_x / mass, width * view.scale + width_px);
-    view.at_y = centred(moment_y / mass, height * view.scale + width_px);
-  }
+  const auto [mass_x, mass_y] = Ink(path, view, width_px).centre_of_mass();
+  view.at_x = centred(mass_x, width * view.scale + width_px);
+  view.at_y = centred(mass_y, height * view.scale + width_px);
   return view;
 }
 
@@ -173,7 +182,8 @@ Framing framing_named(const std::string& name) {
 
 void draw(const float* pen_xy, Eigen::Index points, double pen_width_px, Framing framing,
           double workspace_half_side_m, float* image) {
-  HBR_CHECK(points >= 1 && pen_width_px > 0, "points = {}, width = {}", points, pen_width_px);
+  HBR_CHECK(points >= 1 && pen_width_px > 0 && pen_width_px < kBoxPixels, "points = {}, width = {}", points,
+            pen_width_px);
   const Path path{pen_xy, points};
   View view;
   if (framing == Framing::box) {

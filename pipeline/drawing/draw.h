@@ -13,13 +13,11 @@ namespace hbr {
 inline constexpr int kImageSide = 28;  // pixels
 inline constexpr int kImagePixels = kImageSide * kImageSide;
 
-// Which part of the plane the image shows. The paper does not say (method.md, layer 4).
+// Which part of the plane the image shows. The paper does not say.
 enum class Framing {
   // As MNIST was made: the ink's bounding box, its aspect kept, fills 20 x 20 px, and the ink's centre of
-  // mass
-  // is at the middle of pixel (14, 14), where those of MNIST's own digits are; nearer to the box's centre
-  // where
-  // the ink would not fit into the image. Paths smaller than a millimetre count as a dot.
+  // mass is at the middle of pixel (14, 14), where those of MNIST's own digits are; nearer to the box's
+  // centre where the ink would not fit into the image. Paths smaller than a millimetre count as a dot.
   box,
   // The square workspace of the robot fills the image; what is outside is not seen.
   workspace,
@@ -29,9 +27,9 @@ enum class Framing {
 Framing framing_named(const std::string& name);
 
 // Draws the polyline through pen_xy [points x 2], row-major, in metres, y up, points >= 1, finite; a single
-// point is a dot. The width is in pixels, > 0, and need not be whole. workspace_half_side_m, L, matters to
-// Framing::workspace alone: it shows [-L, L]^2. The image [28 x 28], row-major, top row first, holds ink from
-// 0 to 1. Thread-safe.
+// point is a dot. The width is in pixels, between 0 and 20, and need not be whole. workspace_half_side_m, L,
+// matters to Framing::workspace alone: it shows [-L, L]^2. The image [28 x 28], row-major, top row first,
+// holds ink from 0 to 1. Thread-safe.
 void draw(const float* pen_xy, Eigen::Index points, double pen_width_px, Framing framing,
           double workspace_half_side_m, float* image);
 
