@@ -82,7 +82,7 @@ TEST_F(DatasetTest, RefusesAMissingFile) {
 }
 
 TEST_F(DatasetTest, ChecksHashesOfTheUnpackedContent) {
-  // The empty message's digest is a published test vector; the others are those of sha256sum.
+  // FIPS 180-4's own example.
   write(kIdxFiles[1], {'a', 'b', 'c'});
   const std::string abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
   pack(kIdxFiles[1]);
@@ -134,6 +134,8 @@ TEST_F(DatasetTest, RefusesAnotherMagicNumber) {
 TEST_F(DatasetTest, RefusesSizesThatOverflow) {
   const std::uint32_t most = 0xffffffff;
   write(kIdxFiles[0], idx_bytes({most, most, most}, Bytes(100)));
+  EXPECT_THAT(complaint(kIdxFiles[0]), HasSubstr("length"));
+  write(kIdxFiles[0], idx_bytes({1u << 31, 1u << 31, 4}, {}));  // the product, 2^64, would wrap to 0
   EXPECT_THAT(complaint(kIdxFiles[0]), HasSubstr("length"));
 }
 

@@ -75,6 +75,24 @@ TEST_F(JudgeTest, KnowsWhatItLearnedAndRefusesWhatItDidNot) {
   EXPECT_FALSE(judge.judge(1, black.data(), workers_).good[0]);
 }
 
+TEST_F(JudgeTest, WhatNoClassAcceptsIsNotGood) {
+  JudgeSettings settings = settings_;
+  settings.ridge = 1e6;  // shrinks every margin to -1
+  const Verdicts verdicts =
+      Judge(settings, dataset_, workers_).judge(400, dataset_.test.images.data(), workers_);
+  EXPECT_GT(std::count(verdicts.typical.begin(), verdicts.typical.end(), 1), 300);
+  EXPECT_EQ(std::count(verdicts.good.begin(), verdicts.good.end(), 1), 0);
+}
+
+TEST_F(JudgeTest, WhatItsNeighboursDisputeIsNotGood) {
+  JudgeSettings settings = settings_;
+  settings.neighbours = 1000;  // all of them: a tenth agrees
+  const Verdicts verdicts =
+      Judge(settings, dataset_, workers_).judge(400, dataset_.test.images.data(), workers_);
+  EXPECT_GT((verdicts.confidence.array() > 0).count(), 300);
+  EXPECT_EQ(std::count(verdicts.good.begin(), verdicts.good.end(), 1), 0);
+}
+
 TEST_F(JudgeTest, ATrainingImageIsAtNoDistance) {
   const Judge judge(settings_, dataset_, workers_);
   const Verdicts verdicts = judge.judge(50, dataset_.train.images.data(), workers_);
