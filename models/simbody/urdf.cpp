@@ -17,19 +17,21 @@
 namespace hbr {
 namespace {
 
-// Keeps the first error that urdfdom reports, which it would print otherwise.
-class FirstError : public console_bridge::OutputHandler {
+// Keeps the first two errors that urdfdom reports, which it would print otherwise: what is wrong, and where.
+class FirstErrors : public console_bridge::OutputHandler {
  public:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && message.empty()) message = text;
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR || ++count > 2) return;
+    message += (message.empty() ? "" : "; ") + text;
   }
   std::string message;
+  int count = 0;
 };
 
 urdf::ModelInterfaceSharedPtr parse(const std::string& path, const std::string& text) {
   static std::mutex mutex;  // console_bridge has one handler for the whole program
   const std::lock_guard lock(mutex);
-  FirstError errors;
+  FirstErrors errors;
   console_bridge::OutputHandler* const before = console_bridge::getOutputHandler();
   console_bridge::useOutputHandler(&errors);
   urdf::ModelInterfaceSharedPtr model;

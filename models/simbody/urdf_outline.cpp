@@ -24,7 +24,7 @@ class Reader {
     }
     document_.Parse(text.c_str());
     if (document_.Error())
-      throw InputError("{}:{}: not XML: {}; expected a URDF", path_, document_.ErrorRow(),
+      throw InputError("{}:{}: not XML ({}); expected a URDF", path_, std::max(1, document_.ErrorRow()),
                        document_.ErrorDesc());
     robot_ = document_.FirstChildElement("robot");
     if (!robot_) {
