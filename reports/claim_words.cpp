@@ -26,7 +26,7 @@ std::string figures(const Check& check, const Measured& m) {
                                : format_quartiles(m.of.median, m.of.q1, m.of.q3, m.of.unit);
   const std::string pair = fmt::format("{} against {}", format_quantity(m.of.median, m.of.unit),
                                        format_quantity(m.to.median, m.to.unit));
-  const std::string p = m.p && check.p_below < 1 ? ", p = " + format_p(*m.p) : "";
+  const std::string p = m.p && check.p_below < 1 ? ", p = " + format_number(*m.p) : "";
   if (check.kind == "a12") return fmt::format("{} (A12 = {}{})", pair, format_number(*m.x), p);
   return fmt::format("{} ({}{})", in_unit(check, m, *m.x), pair, p);
 }
@@ -45,7 +45,7 @@ std::string asked(const Check& check, const Measured& m) {
   else
     range = fmt::format("{} to {}", format_number(low), in_unit(check, m, high));
   if (check.kind == "a12") range = "A12 " + range;
-  return check.p_below < 1 ? range + " and p < " + format_p(check.p_below) : range;
+  return check.p_below < 1 ? range + " and p < " + format_number(check.p_below) : range;
 }
 
 std::string replications(const Measured& m) {

@@ -14,6 +14,7 @@ namespace {
 struct Search {
   ArtifactName name;
   std::vector<ProgressRow> progress;  // ascending generations, not empty
+  double genes = 0;                   // of a genome, the longest
 };
 
 // Each genome is executed once for every sample of its stochastic descriptor.
@@ -26,7 +27,7 @@ void add_executions(const Hdf5Reader& file, const std::string& prefix, double ev
 }
 
 Search read_search(const Artifact& artifact, StatisticsTable& table) {
-  Search search{artifact.name, read_progress(artifact.path)};
+  Search search{artifact.name, read_progress(artifact.path), 0};
   if (search.progress.empty())
     throw InputError("{}: progress/generation is empty; expected at least one row", artifact.path.string());
   const Hdf5Reader file(artifact.path);
@@ -42,7 +43,8 @@ Search read_search(const Artifact& artifact, StatisticsTable& table) {
   table.add(prefix + ".evaluations", replication, static_cast<double>(search.progress.back().evaluations));
   add_executions(file, prefix, static_cast<double>(search.progress.back().evaluations), table);
   table.number(prefix + ".generations", static_cast<double>(search.progress.back().generation));
-  table.number(prefix + ".genes", static_cast<double>(file.read<float>("solution").shape.at(1)));
+  search.genes = static_cast<double>(file.read<float>("solution").shape.at(1));
+  table.number(prefix + ".genes", search.genes);
   return search;
 }
 
@@ -100,14 +102,18 @@ void add_pooled_size(StatisticsTable& table, const std::vector<Search>& searches
   if (!sizes.empty()) table.number("pooled.layer2_size", summarise(sizes, "pooled.layer2_size").median);
 }
 
-// What the whole hierarchy searches, beside a flat genome: points, lines and arcs by controller B.
+// What the hierarchy searches, beside a flat genome: points, lines and arcs by controller B (paper,
+// section 5.4).
 void add_hierarchy_genes(StatisticsTable& table, const std::vector<Search>& searches) {
-  const nlohmann::json numbers = table.json()["numbers"];
-  const auto genes = [&](const std::string& name) { return numbers[name + ".genes"]["value"].get<double>(); };
-  const auto line = std::ranges::find(searches, "layer2", [](const Search& s) { return s.name.head; });
-  if (line == searches.end() || !numbers.contains("layer1.genes") || !numbers.contains("layer3.b.genes"))
-    return;
-  table.number("genes.hierarchy", genes("layer1") + genes(line->name.prefix()) + genes("layer3.b"));
+  double sum = 0;
+  for (const auto& [head, variant] :
+       {std::pair{"layer1", ""}, std::pair{"layer2", "n10"}, std::pair{"layer3", "b"}}) {
+    const auto found = std::ranges::find_if(
+        searches, [&](const Search& s) { return s.name.head == head && s.name.variant == variant; });
+    if (found == searches.end()) return;
+    sum += found->genes;
+  }
+  table.number("genes.hierarchy", sum);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // small, with numbers near the paper's, drawn from a fixed seed.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <filesystem>
 #include <map>
