@@ -10,7 +10,7 @@
 namespace hbr {
 
 // A statistic as claims see it: a number has no values.
-struct Figure {
+struct Statistic {
   std::string unit;
   double median = 0, q1 = 0, q3 = 0;
   std::vector<double> values;
@@ -22,7 +22,7 @@ const char* outcome_name(Outcome outcome);
 struct Measured {
   Outcome outcome = Outcome::absent;
   std::string absent;  // what is missing, where something is
-  Figure of, to;
+  Statistic of, to;
   std::optional<double> x, p, a12;
 };
 

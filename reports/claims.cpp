@@ -24,14 +24,14 @@ class Statistics {
         throw InputError("statistics: no table '{}'; expected the contents of statistics.json", section);
   }
 
-  std::optional<Figure> figure(const std::string& name) const {
+  std::optional<Statistic> figure(const std::string& name) const {
     if (const json& all = json_["quantities"]; all.contains(name)) {
       const json& q = all[name];
-      return Figure{q.at("unit"), q.at("median"), q.at("q1"), q.at("q3"), q.at("values")};
+      return Statistic{q.at("unit"), q.at("median"), q.at("q1"), q.at("q3"), q.at("values")};
     }
     if (const json& all = json_["numbers"]; all.contains(name)) {
       const double value = all[name].at("value");
-      return Figure{all[name].at("unit"), value, value, value, {}};
+      return Statistic{all[name].at("unit"), value, value, value, {}};
     }
     return {};
   }
@@ -40,7 +40,7 @@ class Statistics {
   const json& json_;
 };
 
-std::optional<double> computed(const Check& check, const Figure& of, const Figure& to) {
+std::optional<double> computed(const Check& check, const Statistic& of, const Statistic& to) {
   if (check.kind == "value") return of.median;
   if (check.kind == "difference") return of.median - to.median;
   if (check.kind == "ratio" && to.median != 0) return of.median / to.median;

@@ -51,7 +51,7 @@ std::string format_number(double value, int digits) {
   if (value == 0) return "0";
   const double size = std::abs(value);
   if (size < 1e-3 || size >= 1e9) return scientific(value, digits);
-  if (value == std::round(value)) return typeset(fmt::format("{:.0f}", value));
+  if (std::abs(value - std::round(value)) < 1e-9 * size) return typeset(fmt::format("{:.0f}", value));
   // The place of the first digit after rounding: 9.996 is 10.0, not 10.00.
   const std::string rounded = fmt::format("{:.{}e}", size, digits - 1);
   const int exponent = std::stoi(rounded.substr(rounded.find('e') + 1));

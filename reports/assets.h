@@ -1,0 +1,10 @@
+// The page's own texts, from page.html, page.css and page.js, compiled in: a report needs no path.
+#pragma once
+
+namespace hbr {
+
+extern const char* const kPageHtml;
+extern const char* const kPageCss;
+extern const char* const kPageJs;
+
+}  // namespace hbr

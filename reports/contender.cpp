@@ -1,0 +1,52 @@
+#include "reports/contender.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+namespace hbr {
+namespace {
+
+struct Row {
+  const char* id;
+  const char* label;
+  Colour colour;
+};
+
+// By the word of a name that says who it is: "layer3.n10.size" is n10's.
+constexpr std::array kContenders = {
+    Row{"hbr", "HBR", Colour::blue},
+    Row{"layer1", "layer 1", Colour::blue},
+    Row{"layer4", "HBR", Colour::blue},
+    Row{"flat", "flat", Colour::vermilion},
+    Row{"flat_arcs", "flat", Colour::vermilion},
+    Row{"flat_digits", "flat", Colour::vermilion},
+    Row{"n1", "1 sample", Colour::orange},
+    Row{"n10_short", "10, short", Colour::sky},
+    Row{"n10", "10 samples", Colour::blue},
+    Row{"n100", "100 samples", Colour::green},
+    Row{"b", "controller B", Colour::purple},
+    Row{"reference4d", "4-D", Colour::vermilion},
+    Row{"reference_endpoint", "4-D, end", Colour::vermilion},
+    Row{"reference_displacement", "4-D, shift", Colour::purple},
+    Row{"original", "original", Colour::blue},
+    Row{"substitute", "substitute", Colour::orange},
+    Row{"nao", "NAO", Colour::green},
+    Row{"absolute", "absolute", Colour::blue},
+    Row{"squared", "squared", Colour::purple},
+};
+
+}  // namespace
+
+Contender contender(const std::string& name) {
+  // The last word that the table knows: in "layer1.nao.size" NAO, not layer 1.
+  std::istringstream words(name);
+  const Row* who = nullptr;
+  for (std::string word; std::getline(words, word, '.');) {
+    const auto row = std::ranges::find(kContenders, word, [](const Row& r) { return std::string(r.id); });
+    if (row != kContenders.end()) who = &*row;
+  }
+  return who ? Contender{name, who->label, who->colour} : Contender{name, name, Colour::grey};
+}
+
+}  // namespace hbr

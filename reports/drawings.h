@@ -1,0 +1,31 @@
+// The digits that a contender drew, from digits/RR.h5.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hbr {
+
+struct Drawings {
+  std::vector<std::uint8_t> pixels;  // [n x 28 x 28]
+  std::vector<float> measures;       // [n x 2], latent position in [-1, 1]^2
+  std::vector<float> objective;      // [n]
+  std::vector<std::uint8_t> label;   // [n], the judge's class in 0..9
+  std::vector<float> confidence;     // [n]
+  std::vector<std::uint8_t> good;    // [n], 0 or 1
+
+  std::size_t size() const { return objective.size(); }
+  std::span<const std::uint8_t> image(std::size_t i) const { return {pixels.data() + i * 784, 784}; }
+  std::pair<double, double> place(std::size_t i) const { return {measures[2 * i], measures[2 * i + 1]}; }
+};
+
+bool has_drawings(const std::filesystem::path& path, const std::string& contender);
+
+// `contender` is "hbr" or "flat". Throws InputError where the arrays do not agree or there is no digit.
+Drawings read_drawings(const std::filesystem::path& path, const std::string& contender);
+
+}  // namespace hbr

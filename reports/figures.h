@@ -1,0 +1,38 @@
+// The report's figures, in the paper's order. Each says in `absent` what is missing where a profile did not
+// make it.
+#pragma once
+
+#include <vector>
+
+#include "reports/artifacts.h"
+#include "reports/figure.h"
+#include "reports/statistics_view.h"
+
+namespace hbr {
+
+// What figures are drawn from: pictures from the artifacts, numbers from the statistics alone, so that
+// figure, table and text agree.
+struct Evidence {
+  Artifacts artifacts;
+  StatisticsView statistics;
+};
+
+Figure points_figure(const Evidence& evidence);        // layer 1: size and mean fitness
+Figure autoencoder_figure(const Evidence& evidence);   // Fig. notation, bottom: learning, latent space
+Figure digits_figure(const Evidence& evidence);        // Fig. main_res
+Figure judge_figure(const Evidence& evidence);         // what the classifier says of the digits
+Figure substitution_figure(const Evidence& evidence);  // Fig. transfer a
+Figure transfer_figure(const Evidence& evidence);      // Fig. transfer b
+Figure posture_figure(const Evidence& evidence);       // the robot drawing
+Figure lines_figure(const Evidence& evidence);         // Fig. res_line a
+Figure arcs_figure(const Evidence& evidence);          // Fig. res_line b
+Figure arc_quality_figure(const Evidence& evidence);   // arcs re-executed from fresh starts
+
+// All of them, in this order.
+std::vector<Figure> all_figures(const Evidence& evidence);
+
+// An inline SVG: for each class that the judge finds among HBR's digits the `rows` best ones; "" without
+// them.
+std::string hero_picture(const Artifacts& artifacts, int rows);
+
+}  // namespace hbr

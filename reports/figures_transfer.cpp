@@ -1,0 +1,149 @@
+// Layers exchanged: another layer 1, another robot (Fig. transfer).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/core/check.h"
+#include "reports/figures.h"
+#include "reports/format.h"
+#include "reports/html.h"
+#include "reports/panels.h"
+#include "reports/picture.h"
+
+namespace hbr {
+namespace {
+
+const std::string kSuffix = "_transfer";
+
+struct Pair {
+  std::vector<std::uint8_t> arm, robot;  // 784
+  float absolute, squared;
+};
+
+std::vector<Pair> read_pairs(const std::vector<std::filesystem::path>& files) {
+  std::vector<Pair> pairs;
+  for (const auto& path : files) {
+    const Hdf5Reader file(path);
+    const auto arm = file.read<std::uint8_t>("arm").values, robot = file.read<std::uint8_t>("robot").values;
+    const auto absolute = file.read<float>("absolute").values, squared = file.read<float>("squared").values;
+    const std::size_t n = absolute.size();
+    if (arm.size() != n * 784 || robot.size() != n * 784 || squared.size() != n)
+      throw InputError("{}: arm, robot, absolute and squared do not hold equally many digits", path.string());
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto at = static_cast<std::ptrdiff_t>(i * 784);
+      pairs.push_back({{arm.begin() + at, arm.begin() + at + 784},
+                       {robot.begin() + at, robot.begin() + at + 784},
+                       absolute[i],
+                       squared[i]});
+    }
+  }
+  std::ranges::stable_sort(pairs, {}, &Pair::absolute);
+  return pairs;
+}
+
+// "nao_transfer" -> "NAO"
+std::string robot_name(const std::string& stage) {
+  std::string name = stage.substr(0, stage.size() - kSuffix.size());
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+// Pairs at even ranks from the most to the least alike, the arm's digit above the robot's.
+Panel pairs_panel(const std::vector<Pair>& pairs, const std::string& robot) {
+  constexpr int kColumns = 8, kRows = 3, kPixels = 84;
+  constexpr double kWidth = 500, kEdge = 40, kCell = (kWidth - kEdge) / kColumns, kRow = 2 * kCell + 24;
+  const std::size_t shown = std::min<std::size_t>(pairs.size(), kColumns * kRows);
+  std::string body;
+  for (int row = 0; row < kRows && static_cast<std::size_t>(row * kColumns) < shown; ++row) {
+    InkSheet sheet(kColumns * kPixels, 2 * kPixels);
+    const double top = row * kRow;
+    for (int column = 0; column < kColumns; ++column) {
+      const auto k = static_cast<std::size_t>(row * kColumns + column);
+      if (k >= shown) break;
+      const Pair& pair = pairs[shown == 1 ? 0 : k * (pairs.size() - 1) / (shown - 1)];
+      sheet.place(pair.arm, (column + 0.5) * kPixels, 0.5 * kPixels, kPixels);
+      sheet.place(pair.robot, (column + 0.5) * kPixels, 1.5 * kPixels, kPixels);
+      body += svg_text(format_quantity(100.0 * pair.absolute, "%"), kEdge + (column + 0.5) * kCell,
+                       top + 2 * kCell + 11, 11, Colour::grey, Align::centre);
+    }
+    body += sheet.svg_image(kEdge, top, kColumns * kCell, 2 * kCell);
+    body += svg_text("arm", 0, top + 0.5 * kCell + 4, 13, Colour::blue, Align::left);
+    body += svg_text(robot, 0, top + 1.5 * kCell + 4, 13, Colour::vermilion, Align::left);
+  }
+  return {"From the most to the least alike", {kWidth, kRows * kRow, body}, 3};
+}
+
+}  // namespace
+
+Figure substitution_figure(const Evidence& evidence) {
+  Figure figure{.id = "substitution", .title = "Another layer 1 under the same arcs (the paper’s Fig. 4a)."};
+  figure.caption =
+      "Every arc of layer 3 executed over the original layer 1 and over one evolved to use two joints. "
+      "M<sub>1</sub>: regularity of the arc, M<sub>2</sub>: the original layer’s fitness, M<sub>3</sub>: the "
+      "new "
+      "one’s. All elites of all replications; whiskers: within 1.5 interquartile ranges; p: rank-sum test of "
+      "the "
+      "replications’ medians; larger is better.";
+  static constexpr std::pair<const char*, const char*> kMetrics[] = {
+      {"m1", "M₁: quality of the arcs"}, {"m2", "M₂: joints alike"}, {"m3", "M₃: two joints move"}};
+  for (const auto& [metric, title] : kMetrics) {
+    const std::string name = std::string("substitution.") + metric;
+    for (Panel& panel :
+         pooled_box_panel(evidence.statistics, {name + ".original", name + ".substitute"},
+                          {.title = title, .unit = "fitness", .figure = figure.id}, figure.table))
+      figure.panels.push_back(std::move(panel));
+  }
+  if (figure.panels.empty()) figure.absent = "This run did not exchange layer 1.";
+  return figure;
+}
+
+Figure transfer_figure(const Evidence& evidence) {
+  Figure figure{.id = "transfer", .title = "The same digits by another robot (the paper’s Fig. 4b)."};
+  const auto stages = evidence.artifacts.stages("", kSuffix);
+  if (stages.empty()) {
+    figure.absent = "This run has no other robot that draws the digits.";
+    return figure;
+  }
+  std::string names;
+  for (const std::string& stage : stages) {
+    const std::string robot = robot_name(stage);
+    const std::vector<Pair> pairs = read_pairs(evidence.artifacts.replications(stage));
+    if (pairs.empty()) throw InputError("{} holds no digit", stage);
+    figure.panels.push_back(pairs_panel(pairs, robot));
+    const std::string name = "transfer." + stage.substr(0, stage.size() - kSuffix.size());
+    for (Panel& panel : pooled_box_panel(evidence.statistics, {name + ".absolute", name + ".squared"},
+                                         {.title = "Difference per pixel, arm against " + robot,
+                                         .unit = "% of white against black",
+                                         .figure = figure.id,
+                                         .from_zero = true,
+                                         .brackets = false,
+                                         .span = 3},
+                                         figure.table))
+      figure.panels.push_back(std::move(panel));
+    names += (names.empty() ? "" : ", ") + robot;
+  }
+  figure.caption = fmt::format(
+      "Layers 2 to 4 of the arm over the first layer of {}. Left: digits at even ranks of the mean absolute "
+      "difference per pixel, which stands below each pair. Right: that difference, absolute and squared, "
+      "over all "
+      "digits of all replications.",
+      escape_html(names));
+  return figure;
+}
+
+Figure posture_figure(const Evidence& evidence) {
+  Figure figure{.id = "posture", .title = "NAO draws a digit."};
+  figure.caption = "Left: the posture at the end of the stroke. Right: poses along it.";
+  if (!evidence.artifacts.has("nao_picture")) {
+    figure.absent = "This run made no picture of NAO.";
+    return figure;
+  }
+  const std::filesystem::path folder = evidence.artifacts.path("nao_picture");
+  figure.panels = {{"Posture", picture_file(folder / "posture.png", 500), 3},
+                   {"Along the stroke", picture_file(folder / "strip.png", 500), 3}};
+  return figure;
+}
+
+}  // namespace hbr

@@ -1,0 +1,47 @@
+// The report: statistics.json and the artifacts -> a folder with index.html. Inputs are named by their paths
+// below OUT; the settings say where the claims and the readings are written down.
+#include "reports/report.h"
+
+#include <fstream>
+
+#include "pipeline/artifact/stage.h"
+#include "pipeline/core/check.h"
+#include "reports/claims.h"
+#include "reports/readings.h"
+
+namespace hbr {
+namespace {
+
+struct ReportSettings {
+  std::string claims, readings;
+};
+template <class Fields>
+void describe(Fields& f, ReportSettings& s) {
+  f.text("claims", s.claims, "file of the paper's claims");
+  f.text("readings", s.readings, "file of the readings");
+}
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+  if (json.is_discarded()) throw InputError("{} is missing or no JSON", path.string());
+  return json;
+}
+
+void run(StageRun& stage) {
+  const auto settings = stage.settings_as<ReportSettings>();
+  const nlohmann::json statistics = read_json(stage.input("statistics.json"));
+  std::map<std::string, std::filesystem::path> artifacts;
+  for (const std::string& name : stage.inputs())
+    if (name != "statistics.json") artifacts[name] = stage.input(name);
+  write_report({statistics.at("profile"), Artifacts(artifacts), statistics,
+                evaluate_claims(settings.claims, statistics), read_readings(settings.readings)},
+               stage.output());
+}
+
+}  // namespace
+}  // namespace hbr
+
+int main(int argc, char** argv) {
+  return hbr::stage_main(argc, argv, "The report of the experiment", hbr::run);
+}

@@ -1,0 +1,129 @@
+#include "reports/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "pipeline/core/check.h"
+#include "tests/reports/synthetic_pictures.h"
+
+namespace hbr {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const nlohmann::json kClaims = nlohmann::json::parse(R"([
+  {"id": "a", "statement": "1 < 2 & <i>so on</i>", "place": "5.1", "paper": "2.3", "ours": "2.4", "verdict": "reproduced", "indication": "reproduced",
+   "reason": ""},
+  {"id": "b", "statement": "s", "place": "5.2", "paper": "p", "ours": "–", "verdict": "not at this size", "indication": "partly", "reason": "r"}])");
+const nlohmann::json kReadings = nlohmann::json::parse(R"([
+  {"id": "disc", "title": "A disc", "paper": "nothing", "reading": "a disc", "alternatives": "a square", "effect": "e"}])");
+
+class ReportTest : public testing::Test {
+ protected:
+  ReportTest()
+      : folder_(fs::temp_directory_path() / ("hbr-report-" + std::to_string(getpid()))), pictures_(folder_) {
+    fs::create_directories(folder_);
+  }
+  ~ReportTest() override { fs::remove_all(folder_); }
+
+  ReportContent full() {
+    pictures_.everything(2);
+    return {"reduced", Artifacts(pictures_.artifacts()),
+            nlohmann::json::parse(read(fs::path(HBR_SOURCE_DIR) / "tests/reports/fixtures/statistics.json")),
+            kClaims, kReadings};
+  }
+  std::map<std::string, std::string> files(const fs::path& report) {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(report))
+      if (entry.is_regular_file()) all[fs::relative(entry.path(), report).string()] = read(entry.path());
+    return all;
+  }
+
+  fs::path folder_;
+  SyntheticPictures pictures_;
+};
+
+TEST_F(ReportTest, GivesTheSameBytesTwice) {
+  const ReportContent content = full();
+  write_report(content, folder_ / "one");
+  write_report(content, folder_ / "two");
+  const auto one = files(folder_ / "one");
+  EXPECT_TRUE(one == files(folder_ / "two"));
+  for (const char* figure : {"points", "autoencoder", "digits", "judge", "substitution", "transfer",
+                             "posture", "lines", "arcs", "arc_quality"})
+    for (const char* kind : {".svg", ".pdf", ".csv"})
+      EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
+  EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kClaims);
+  EXPECT_EQ(nlohmann::json::parse(one.at("statistics.json")), content.statistics);
+  for (const auto& [name, bytes] : one) EXPECT_THAT(bytes, Not(HasSubstr(folder_.string()))) << name;
+}
+
+TEST_F(ReportTest, NeedsNothingFromElsewhere) {
+  write_report(full(), folder_ / "report");
+  const std::string page = read(folder_ / "report/index.html");
+  for (const char* foreign : {"src=\"http", "href=\"http", "url(http", "@import", "<link", "fetch("})
+    EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
+  EXPECT_EQ(page.find("{{"), std::string::npos);
+  EXPECT_NE(page.find("1 &lt; 2 &amp; &lt;i&gt;so on&lt;/i&gt;"), std::string::npos);
+  // Every id once.
+  std::map<std::string, int> ids;
+  for (const char quote : {'"', '\''}) {
+    const std::string key = std::string(" id=") + quote;
+    for (std::size_t at = page.find(key); at != std::string::npos; at = page.find(key, at + 1)) {
+      const std::size_t begin = at + key.size();
+      ++ids[page.substr(begin, page.find(quote, begin) - begin)];
+    }
+  }
+  EXPECT_GT(ids.size(), 50u);
+  for (const auto& [id, times] : ids) EXPECT_EQ(times, 1) << id;
+}
+
+TEST_F(ReportTest, SaysWhatIsMissing) {
+  const nlohmann::json nothing = {{"profile", "reduced"}, {"quantities", nlohmann::json::object()}};
+  write_report({"reduced", Artifacts({}), nothing, nlohmann::json::array(), nlohmann::json::array()},
+               folder_ / "report");
+  const std::string page = read(folder_ / "report/index.html");
+  for (const char* sentence :
+       {"This run has no layer 1", "This run trained no autoencoder.", "This run has no digits",
+        "No judge has looked", "This run did not exchange layer 1.", "no other robot", "no picture of NAO",
+        "This run has no lines", "This run has no arcs", "from fresh starts.", "This run drew no digits."})
+    EXPECT_NE(page.find(sentence), std::string::npos) << sentence;
+  EXPECT_TRUE(fs::is_empty(folder_ / "report/figures"));
+}
+
+TEST_F(ReportTest, RefusesWhatIsNotAsDescribed) {
+  ReportContent content = full();
+  content.claims[0]["verdict"] = "perhaps";
+  EXPECT_THAT([&] { write_report(content, folder_ / "r"); },
+              ThrowsMessage<InputError>(HasSubstr("claim 'a' has the verdict 'perhaps'")));
+  content = full();
+  content.readings[0].erase("effect");
+  EXPECT_THAT([&] { write_report(content, folder_ / "r"); },
+              ThrowsMessage<InputError>(HasSubstr("the reading 'disc' has no text 'effect'")));
+  content = full();
+  content.statistics["quantities"]["accuracy.n1"]["values"] = "three";
+  EXPECT_THAT([&] { write_report(content, folder_ / "r"); },
+              ThrowsMessage<InputError>(HasSubstr("the entry 'accuracy.n1' is not as")));
+  content = full();
+  std::ofstream(pictures_.artifacts().at("nao_picture") / "strip.png") << "no picture";
+  EXPECT_THAT([&] { write_report(content, folder_ / "r"); },
+              ThrowsMessage<InputError>(HasSubstr("strip.png is missing or no PNG")));
+  EXPECT_THAT([&] { write_report(full(), "/proc/no/such"); },
+              ThrowsMessage<InputError>(HasSubstr("cannot make /proc/no/such/figures")));
+}
+
+}  // namespace
+}  // namespace hbr

@@ -1,0 +1,151 @@
+// Artifacts with pictures of an experiment that never ran: digits, transfers, an autoencoder's latent space
+// and a robot's pictures. Digits are set in OpenCV's fonts and jittered from a fixed seed.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <vector>
+
+#include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/core/random.h"
+
+namespace hbr {
+
+class SyntheticPictures {
+ public:
+  explicit SyntheticPictures(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  // Name below OUT -> path.
+  const std::map<std::string, std::filesystem::path>& artifacts() const { return artifacts_; }
+
+  void digits(int replication, int n) {
+    Hdf5Writer file(place("digits", replication));
+    for (const char* who : {"hbr", "flat"}) {
+      Rng rng(Seed(1).child(who).child(static_cast<std::uint64_t>(replication)));
+      Array<std::uint8_t> image{{static_cast<std::size_t>(n), 28, 28}, {}};
+      Array<float> measures{{static_cast<std::size_t>(n), 2}, {}};
+      std::vector<float> objective, confidence, distance;
+      std::vector<std::uint8_t> label, good;
+      for (int i = 0; i < n; ++i) {
+        const float x = rng.uniform(-1, 1), y = rng.uniform(-1, 1);
+        const int digit = static_cast<int>((std::atan2(y, x) / 6.2832 + 0.5) * 9.999);
+        append(image.values, draw(digit, rng, who[0] == 'f' ? 1.0f : 0.3f));
+        measures.values.insert(measures.values.end(), {x, y});
+        objective.push_back(-rng.uniform(0.01f, 0.05f));
+        confidence.push_back(rng.uniform());
+        distance.push_back(rng.uniform());
+        label.push_back(static_cast<std::uint8_t>(digit));
+        good.push_back(rng.uniform() < (who[0] == 'f' ? 0.35f : 0.6f) && digit != 8 ? 1 : 0);
+      }
+      const std::string prefix = std::string(who) + "/";
+      file.write(prefix + "image", image);
+      file.write(prefix + "measures", measures);
+      file.write(prefix + "objective", objective);
+      file.write(prefix + "confidence", confidence);
+      file.write(prefix + "distance", distance);
+      file.write(prefix + "label", label);
+      file.write(prefix + "good", good);
+    }
+    file.close();
+  }
+
+  void transfer(int replication, int n) {
+    Rng rng(Seed(2).child(static_cast<std::uint64_t>(replication)));
+    Array<std::uint8_t> arm{{static_cast<std::size_t>(n), 28, 28}, {}}, robot = arm;
+    std::vector<float> absolute, squared;
+    for (int i = 0; i < n; ++i) {
+      const cv::Mat digit = draw(i % 10, rng, 0.3f);
+      cv::Mat other;
+      cv::GaussianBlur(digit, other, {3, 3}, 0.3 + 0.002 * i);
+      append(arm.values, digit);
+      append(robot.values, other);
+      absolute.push_back(static_cast<float>(cv::norm(digit, other, cv::NORM_L1) / 784 / 255));
+      squared.push_back(absolute.back() / 3);
+    }
+    Hdf5Writer file(place("nao_transfer", replication));
+    file.write("arm", arm);
+    file.write("robot", robot);
+    file.write("absolute", absolute);
+    file.write("squared", squared);
+    file.close();
+  }
+
+  void autoencoder(int replication, int n) {
+    Rng rng(Seed(3).child(static_cast<std::uint64_t>(replication)));
+    Array<float> position{{static_cast<std::size_t>(n), 2}, {}}, decoded{{20, 28, 28}, {}};
+    Array<std::uint8_t> original{{20, 28, 28}, {}};
+    std::vector<std::uint8_t> label;
+    for (int i = 0; i < n; ++i) {
+      const float angle = 0.628f * static_cast<float>(i % 10) + rng.uniform(-0.3f, 0.3f),
+                  r = rng.uniform(0.3f, 0.95f);
+      position.values.insert(position.values.end(), {r * std::cos(angle), r * std::sin(angle)});
+      label.push_back(static_cast<std::uint8_t>(i % 10));
+    }
+    for (int i = 0; i < 20; ++i) {
+      const cv::Mat digit = draw(i % 10, rng, 0.3f);
+      append(original.values, digit);
+      cv::Mat blurred;
+      cv::GaussianBlur(digit, blurred, {5, 5}, 1.2);
+      for (const std::uint8_t pixel : cv::Mat_<std::uint8_t>(blurred))
+        decoded.values.push_back(pixel / 255.0f);
+    }
+    Hdf5Writer file(place("autoencoder", replication));
+    file.write("latent/position", position);
+    file.write("latent/label", label);
+    file.write("reconstruction/original", original);
+    file.write("reconstruction/decoded", decoded);
+    file.close();
+  }
+
+  void posture() {
+    const std::filesystem::path folder = folder_ / "nao_picture";
+    std::filesystem::create_directories(folder);
+    cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(235, 230, 225));
+    cv::circle(picture, {160, 120}, 60, {120, 90, 60}, cv::FILLED, cv::LINE_AA);
+    cv::imwrite((folder / "posture.png").string(), picture);
+    cv::imwrite((folder / "strip.png").string(), picture);
+    artifacts_["nao_picture"] = folder;
+  }
+
+  void everything(int replications) {
+    for (int r = 0; r < replications; ++r) {
+      digits(r, 300);
+      transfer(r, 100);
+      autoencoder(r, 2000);
+    }
+    posture();
+  }
+
+ private:
+  static cv::Mat draw(int digit, Rng& rng, float jitter) {
+    cv::Mat image(28, 28, CV_8UC1, cv::Scalar(0)), turned;
+    cv::putText(image, std::to_string(digit), {5, 23}, cv::FONT_HERSHEY_SCRIPT_SIMPLEX, 0.85, 255, 2,
+                cv::LINE_AA);
+    cv::Mat turn =
+        cv::getRotationMatrix2D({14, 14}, 40 * jitter * rng.uniform(-1, 1), rng.uniform(0.8f, 1.1f));
+    turn.at<double>(0, 1) += jitter * rng.uniform(-0.6f, 0.6f);
+    cv::warpAffine(image, turned, turn, {28, 28});
+    return turned;
+  }
+
+  static void append(std::vector<std::uint8_t>& values, const cv::Mat& image) {
+    values.insert(values.end(), image.begin<std::uint8_t>(), image.end<std::uint8_t>());
+  }
+
+  std::filesystem::path place(const std::string& stage, int replication) {
+    const std::string name = fmt::format("{}/{:02}.h5", stage, replication);
+    std::filesystem::create_directories(folder_ / stage);
+    return artifacts_[name] = folder_ / name;
+  }
+
+  std::filesystem::path folder_;
+  std::map<std::string, std::filesystem::path> artifacts_;
+};
+
+}  // namespace hbr
