@@ -1,0 +1,66 @@
+#include "reports/provenance.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "pipeline/artifact/manifest.h"
+#include "pipeline/core/check.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+void manifest(const fs::path& out, const Node& node, double seconds) {
+  Manifest m;
+  m.made_from.slice = slice_of(node);
+  m.run = {{"seconds", seconds},    {"cpu_seconds", 2 * seconds}, {"peak_memory_bytes", 5e6},
+           {"version", "v1-dirty"}, {"compiler", "GCC 12"},       {"host", "<box>"}};
+  fs::create_directories(manifest_path(out, node).parent_path());
+  write_manifest(manifest_path(out, node), m);
+}
+
+TEST(Provenance, FillsThePageThatTheStageLeft) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path();
+  for (int r = 0; r < 2; ++r)
+    manifest(out,
+             {"layer1", "layer1", r, fmt::format("layer1/{:02}.h5", r), nlohmann::json::object(), {}, {}},
+             30);
+  manifest(out,
+           {"layer2",
+            "layer2_n10",
+            0,
+            "layer2_n10/00.h5",
+            nlohmann::json::object(),
+            {{"layer1", "layer1/00.h5"}},
+            {}},
+           5);
+  fs::create_directories(out / "page/figures");
+  std::ofstream(out / "page/index.html") << "a<!-- provenance -->b";
+  std::ofstream(out / "page/figures/x.csv") << "1";
+  for (int again = 0; again < 2; ++again) publish_report(out / "page", out, out / "report");
+  std::ifstream file(out / "report/index.html");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(page, HasSubstr("<td><code>layer1</code></td><td>2</td><td>1:00"));
+  EXPECT_THAT(page, HasSubstr("v1-dirty"));
+  EXPECT_THAT(page, HasSubstr("&lt;box&gt;"));
+  EXPECT_THAT(page, HasSubstr("layer2_n10</text>"));
+  EXPECT_TRUE(fs::exists(out / "report/figures/x.csv"));
+  EXPECT_FALSE(fs::exists(out / "report.new") || fs::exists(out / "report.old"));
+}
+
+TEST(Provenance, RefusesAPageWithoutAPlace) {
+  const TemporaryFolder folder;
+  EXPECT_THAT([&] { publish_report(folder.path() / "page", folder.path(), folder.path() / "report"); },
+              ThrowsMessage<InputError>(HasSubstr("index.html is missing or has no place")));
+}
+
+}  // namespace
+}  // namespace hbr
