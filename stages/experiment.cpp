@@ -1,12 +1,280 @@
 #include "stages/experiment.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
 #include "pipeline/artifact/profile.h"
+#include "pipeline/core/check.h"
+#include "stages/profile.h"
 
 namespace hbr {
+namespace {
 
-Graph experiment_graph(const std::filesystem::path& profile_file) {
-  read_toml(profile_file);
-  return {};
+using nlohmann::json;
+
+std::string numbered(const std::string& stage, int replication) {
+  return fmt::format("{}/{:02}.h5", stage, replication);
+}
+
+// The four files of a dataset, gzipped where they are not there plain.
+std::vector<std::string> idx_files(const std::filesystem::path& folder) {
+  std::vector<std::string> files;
+  for (const char* name : {"train-images-idx3-ubyte", "train-labels-idx1-ubyte", "t10k-images-idx3-ubyte",
+                           "t10k-labels-idx1-ubyte"}) {
+    const std::filesystem::path plain = folder / name, gzipped = plain.string() + ".gz";
+    files.push_back(!exists(plain) && exists(gzipped) ? gzipped : plain);
+  }
+  return files;
+}
+
+// Cuts the profile: every function adds the runs of one stage, told no more than they depend on.
+class Experiment {
+ public:
+  Experiment(Profile profile, std::string file) : p_(std::move(profile)), file_(std::move(file)) { check(); }
+
+  Graph graph() {
+    data();
+    for (int r = 0; r < p_.replications.lines; ++r) {
+      points(r);
+      lines(r);
+      arcs(r);
+      experiments(r);
+    }
+    for (int r = 0; r < p_.replications.digits; ++r) digits(r);
+    for (const RobotSettings& robot : p_.robots) transfer(robot);
+    results();
+    return std::move(graph_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw InputError("{}: {}", file_, what); }
+
+  template <class Variants>
+  void check_names(const std::string& table, const Variants& variants) const {
+    std::set<std::string> seen;
+    for (const auto& v : variants) {
+      const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+      if (v.name.empty() || !std::all_of(v.name.begin(), v.name.end(), fits))
+        fail(fmt::format("{}: name '{}': expected letters, digits and _", table, v.name));
+      if (!seen.insert(v.name).second) fail(fmt::format("{}: name '{}' stands twice", table, v.name));
+    }
+  }
+
+  template <class Variant>
+  const Variant& named(const std::vector<Variant>& variants, const std::string& name, const char* key,
+                       const char* table) const {
+    std::vector<std::string> names;
+    for (const Variant& v : variants) {
+      if (v.name == name) return v;
+      names.push_back(v.name);
+    }
+    fail(fmt::format("{} = '{}': expected the name of one of {} ({})", key, name, table,
+                     fmt::join(names, ", ")));
+  }
+
+  void check() const {
+    check_names("layer2.variants", p_.layer2.variants);
+    check_names("layer3.variants", p_.layer3.variants);
+    check_names("robots", p_.robots);
+    named(p_.layer2.variants, p_.layer3.lines, "layer3.lines", "layer2.variants");
+    named(p_.layer3.variants, p_.layer4.arcs, "layer4.arcs", "layer3.variants");
+    named(p_.layer3.variants, p_.experiments.substitution_variant, "experiments.substitution_variant",
+          "layer3.variants");
+    if (p_.replications.digits > p_.replications.lines)
+      fail(
+          fmt::format("replications.digits = {}: expected at most replications.lines ({}), whose layers the "
+                      "digits are built on",
+                      p_.replications.digits, p_.replications.lines));
+    if (p_.layer4.pencil.thinnest_px > p_.layer4.pencil.thickest_px)
+      fail(fmt::format("layer4.pencil: thinnest_px = {} exceeds thickest_px = {}",
+                       p_.layer4.pencil.thinnest_px, p_.layer4.pencil.thickest_px));
+  }
+
+  // --- slices
+
+  // The shared part of the search, the archive of a layer, the generations of a variant.
+  json search(const SearchTable& archive, const SearchTable& generations) const {
+    SearchTable t = p_.search;
+    t.spacing = archive.spacing;
+    t.epsilon = archive.epsilon;
+    t.generations = generations.generations;
+    return settings_to_json(t);
+  }
+  json run(int replication) const { return {{"seed", p_.seed}, {"replication", replication}}; }
+  json arm(int replication) const {
+    json s = run(replication);
+    s["arm"] = settings_to_json(p_.arm);
+    s["half_side"] = p_.half_side;
+    return s;
+  }
+  json lines_slice(int replication) const {
+    json s = arm(replication);
+    s["longest_line"] = p_.longest_line;
+    return s;
+  }
+  static json with(json settings, const json& more) {
+    settings.update(more);
+    return settings;
+  }
+
+  using Inputs = std::vector<std::pair<std::string, std::string>>;
+  void add(const std::string& program, const std::string& stage, int replication, json settings,
+           Inputs inputs, std::vector<std::string> sources = {}) {
+    const std::string output = replication < 0 ? stage + ".h5" : numbered(stage, replication);
+    graph_.push_back(
+        {program, stage, replication, output, std::move(settings), std::move(inputs), std::move(sources)});
+  }
+
+  // --- stages
+
+  void data() {
+    DatasetSettings dataset = p_.dataset;
+    if (const char* folder = std::getenv("MNIST_DIR"); folder && *folder && dataset.name == "mnist")
+      dataset.folder = folder;
+    add("dataset", "dataset", -1, settings_to_json(dataset), {}, idx_files(dataset.folder));
+    if (p_.replications.digits == 0) return;
+    add("judge", "judge", -1,
+        {{"seed", p_.seed},
+         {"judge", settings_to_json(p_.judge)},
+         {"random_strokes", settings_to_json(p_.random_strokes)}},
+        {{"dataset", "dataset.h5"}});
+  }
+
+  void points(int r) {
+    const json s = with(arm(r), {{"search", search(p_.layer1, p_.layer1)}});
+    add("layer1", "layer1", r, with(s, {{"cost", "joint_variance"}}), {});
+    add("layer1", "layer1_substitute", r, with(s, {{"cost", "few_joints"}}), {});
+  }
+
+  void lines(int r) {
+    const Inputs inputs{{"layer1", numbered("layer1", r)}};
+    const auto slice = [&](int samples, const SearchTable& generations) {
+      return with(lines_slice(r), {{"samples", samples}, {"search", search(p_.layer2.archive, generations)}});
+    };
+    for (const LineVariant& v : p_.layer2.variants)
+      add("layer2", "layer2_" + v.name, r, slice(v.samples, v.search), inputs);
+    add("reference4d", "reference4d", r, slice(1, p_.reference4d), inputs);
+  }
+
+  void arcs(int r) {
+    for (const ArcVariant& v : p_.layer3.variants)
+      add("layer3", "layer3_" + v.name, r,
+          with(lines_slice(r), {{"controller", v.controller},
+                                {"samples", v.samples},
+                                {"search", search(p_.layer3.archive, v.search)}}),
+          {{"layer1", numbered("layer1", r)}, {"layer2", numbered("layer2_" + p_.layer3.lines, r)}});
+    add("flat_arcs", "flat_arcs", r,
+        with(lines_slice(r), {{"search", search(p_.layer3.archive, p_.flat_arcs)}}), {});
+  }
+
+  void experiments(int r) {
+    Inputs contenders{{"layer1", numbered("layer1", r)}, {"reference4d", numbered("reference4d", r)}};
+    for (const LineVariant& v : p_.layer2.variants)
+      contenders.emplace_back(v.name, numbered("layer2_" + v.name, r));
+    add("accuracy", "accuracy", r, with(lines_slice(r), {{"requests", p_.experiments.accuracy_requests}}),
+        contenders);
+
+    const std::pair<std::string, std::string> below{"layer2", numbered("layer2_" + p_.layer3.lines, r)};
+    Inputs layers{{"layer1", numbered("layer1", r)}, below};
+    json variants = json::array();
+    for (const ArcVariant& v : p_.layer3.variants) {
+      layers.emplace_back("layer3_" + v.name, numbered("layer3_" + v.name, r));
+      variants.push_back(settings_to_json<ArcVariantTable>(v));
+    }
+    add("arc_quality", "arc_quality", r,
+        with(lines_slice(r), {{"fresh_starts", p_.experiments.fresh_starts}, {"variants", variants}}),
+        layers);
+
+    const ArcVariant& v = named(p_.layer3.variants, p_.experiments.substitution_variant, "", "");
+    add("substitution", "substitution", r,
+        with(lines_slice(r), {{"variant", settings_to_json<ArcVariantTable>(v)}}),
+        {{"original", numbered("layer1", r)},
+         {"substitute", numbered("layer1_substitute", r)},
+         below,
+         {"layer3", numbered("layer3_" + v.name, r)}});
+  }
+
+  // What it takes to draw a digit's genome.
+  json digits_slice(int r) const {
+    return with(lines_slice(r), {{"controller", named(p_.layer3.variants, p_.layer4.arcs, "", "").controller},
+                                 {"line_spacing", p_.layer4.line_spacing},
+                                 {"pencil", settings_to_json(p_.layer4.pencil)}});
+  }
+  Inputs hierarchy(int r) const {
+    return {{"layer1", numbered("layer1", r)},
+            {"layer2", numbered("layer2_" + p_.layer3.lines, r)},
+            {"layer3", numbered("layer3_" + p_.layer4.arcs, r)}};
+  }
+
+  void digits(int r) {
+    add("autoencoder", "autoencoder", r, with(run(r), settings_to_json(p_.autoencoder)),
+        {{"dataset", "dataset.h5"}});
+    const std::pair<std::string, std::string> autoencoder{"autoencoder", numbered("autoencoder", r)};
+    Inputs below = hierarchy(r);
+    below.push_back(autoencoder);
+    add("layer4", "layer4", r,
+        with(digits_slice(r), {{"length_rate", p_.layer4.length_rate},
+                               {"search", search(p_.layer4.search, p_.layer4.search)}}),
+        below);
+    add("flat_digits", "flat_digits", r,
+        with(arm(r), {{"pencil", settings_to_json(p_.layer4.pencil)},
+                      {"length_rate", p_.layer4.length_rate},
+                      {"search", search(p_.layer4.search, p_.flat_digits)}}),
+        {autoencoder});
+    add("digits", "digits", r, json::object(),
+        {{"dataset", "dataset.h5"},
+         {"judge", "judge.h5"},
+         {"hbr", numbered("layer4", r)},
+         {"flat", numbered("flat_digits", r)}});
+  }
+
+  void transfer(const RobotSettings& robot) {
+    if (p_.replications.digits == 0) return;
+    const json body = settings_to_json(robot);
+    const std::string plane = robot.name + "_plane";
+    add("robot_plane", plane, -1, {{"seed", p_.seed}, {"half_side", p_.half_side}, {"robot", body}},
+        {{"layer1", numbered("layer1", 0)}}, {robot.urdf});
+    for (int r = 0; r < p_.replications.digits; ++r) {
+      add("robot_layer1", robot.name + "_layer1", r,
+          with(run(r), {{"half_side", p_.half_side},
+                        {"cost", "joint_variance"},
+                        {"robot", body},
+                        {"search", search(p_.robot_layer1, p_.robot_layer1)}}),
+          {{"plane", plane + ".h5"}}, {robot.urdf});
+      Inputs inputs = hierarchy(r);
+      inputs.insert(inputs.end(), {{"plane", plane + ".h5"},
+                                   {"robot_layer1", numbered(robot.name + "_layer1", r)},
+                                   {"layer4", numbered("layer4", r)},
+                                   {"digits", numbered("digits", r)}});
+      add("robot_transfer", robot.name + "_transfer", r, with(digits_slice(r), {{"robot", body}}), inputs,
+          {robot.urdf});
+    }
+  }
+
+  // Everything before, by its own name, then what the statistics say of it.
+  void results() {
+    Inputs all;
+    json generations = json::object();
+    for (const Node& node : graph_) {
+      all.emplace_back(node.output, node.output);
+      if (node.settings.contains("search")) generations[node.stage] = node.settings["search"]["generations"];
+    }
+    const json settings{{"profile", p_.name},
+                        {"replications", settings_to_json(p_.replications)},
+                        {"generations", generations}};
+    graph_.push_back({"statistics", "statistics", -1, "statistics.json", settings, all, {}});
+  }
+
+  Profile p_;
+  std::string file_;
+  Graph graph_;
+};
+
+}  // namespace
+
+Graph experiment_graph(const std::filesystem::path& profile) {
+  return Experiment(read_profile<Profile>(profile), profile.string()).graph();
 }
 
 }  // namespace hbr

@@ -1,4 +1,5 @@
-// The experiment as a stage graph.
+// The experiment: which stages a profile asks for, what each is told and what it reads. Read top to bottom,
+// experiment.cpp is the paper.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +8,7 @@
 
 namespace hbr {
 
-// Reads a profile strictly (InputError: file, line, column) and cuts it into one slice per stage and replication.
-Graph experiment_graph(const std::filesystem::path& profile_file);
+// Throws InputError, with the file's name, where the profile is wrong.
+Graph experiment_graph(const std::filesystem::path& profile);
 
 }  // namespace hbr

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -13,7 +14,8 @@ namespace hbr {
 class Workers {
  public:
   // threads >= 1; 1 runs everything in the calling thread.
-  explicit Workers(int threads) : threads_(threads), arena_(threads) {}
+  explicit Workers(int threads)
+      : threads_(threads), limit_(tbb::global_control::max_allowed_parallelism, threads), arena_(threads) {}
 
   int threads() const { return threads_; }
 
@@ -38,6 +40,7 @@ class Workers {
 
  private:
   int threads_;
+  tbb::global_control limit_;  // lets the arena have more threads than the machine has processors
   tbb::task_arena arena_;
 };
 

@@ -71,11 +71,11 @@ class DistanceArchive final : public Repertoire {
 
   // Mean distance to the k nearest elites, `excluded` left out.
   float novelty(const float* point, Slot excluded) const {
-    std::array<float, kMostNeighbours> squared;
+    std::array<typename Grid::Near, kMostNeighbours> near;
     const int found = grid_.nearest([&](Slot s) { return store_.descriptor(s); }, point, settings_.neighbours,
-                                    excluded, squared.data());
+                                    excluded, near.data());
     float sum = 0;
-    for (int i = 0; i < found; ++i) sum += std::sqrt(squared[i]);
+    for (int i = 0; i < found; ++i) sum += std::sqrt(near[i].squared);
     return sum / static_cast<float>(found);
   }
 

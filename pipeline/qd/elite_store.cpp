@@ -34,37 +34,24 @@ void EliteStore::replace(Slot slot, const Candidate& c) {
   parent_[slot] = c.parent;
 }
 
-Elites EliteStore::gather(const std::vector<Slot>& order) const {
-  const auto n = static_cast<Eigen::Index>(order.size());
+Elites EliteStore::in_slot_order() const {
+  const Slot n = size();
   Elites out;
-  out.solution.resize(n, genes_);
-  out.measures.resize(n, descriptor_size_);
-  out.objective.resize(n);
-  out.uncertainty.resize(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const Slot s = order[i];
-    out.solution.row(i) = Eigen::Map<const Eigen::RowVectorXf>(genome(s), genes_);
-    out.measures.row(i) = Eigen::Map<const Eigen::RowVectorXf>(descriptor(s), descriptor_size_);
-    out.objective[i] = fitness_[s];
-    out.uncertainty[i] = uncertainty_[s];
-    out.length.push_back(length_[s]);
-    out.id.push_back(id_[s]);
-    out.parent.push_back(parent_[s]);
-  }
+  out.solution = Eigen::Map<const Rows>(genome_.data(), n, genes_);
+  out.length = length_;
+  out.objective = Eigen::VectorXf::Map(fitness_.data(), n);
+  out.measures = Eigen::Map<const Rows>(descriptor_.data(), n, descriptor_size_);
+  out.id = id_;
+  out.parent = parent_;
+  out.uncertainty = Eigen::VectorXf::Map(uncertainty_.data(), n);
   return out;
 }
 
-Elites EliteStore::in_slot_order() const {
-  std::vector<Slot> order(id_.size());
-  std::iota(order.begin(), order.end(), 0);
-  return gather(order);
-}
-
 Elites EliteStore::in_id_order() const {
-  std::vector<Slot> order(id_.size());
+  std::vector<std::int32_t> order(id_.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](Slot a, Slot b) { return id_[a] < id_[b]; });
-  return gather(order);
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return id_[a] < id_[b]; });
+  return in_order(in_slot_order(), order);
 }
 
 }  // namespace hbr

@@ -47,8 +47,6 @@ class EliteStore {
   Elites in_id_order() const;
 
  private:
-  Elites gather(const std::vector<Slot>& order) const;
-
   int genes_, descriptor_size_;
   std::vector<float> genome_, descriptor_, fitness_, uncertainty_;
   std::vector<std::int32_t> length_;

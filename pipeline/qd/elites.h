@@ -22,7 +22,12 @@ struct Elites {
   Eigen::VectorXf uncertainty;  // [n] mean distance of the samples to the stochastic descriptor, or empty
 
   Eigen::Index size() const { return measures.rows(); }
+  // Genes in use by elite i.
+  int genes(Eigen::Index i) const { return length.empty() ? static_cast<int>(solution.cols()) : length[i]; }
 };
+
+// Rows order[0], order[1], ... of `elites`.
+Elites in_order(const Elites& elites, const std::vector<std::int32_t>& order);
 
 // The course of a search: one entry per recorded generation.
 struct ProgressRow {

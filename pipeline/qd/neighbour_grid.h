@@ -55,24 +55,32 @@ class NeighbourGrid {
     for_block(centre, reach, [&](Slot s) { return visit(s); });
   }
 
-  // The k nearest points other than `excluded`, as ascending squared distances; fewer when there are fewer.
-  // Returns how many. point_of(slot) gives the position with which a slot was inserted.
+  struct Near {
+    float squared;  // distance
+    Slot slot;
+  };
+
+  // The k nearest points other than `excluded`, nearest first, the lower slot first of two as near; fewer
+  // when there are fewer. Returns how many. point_of(slot) gives the position with which a slot was inserted.
   template <class PointOf>
-  int nearest(PointOf&& point_of, const float* point, int k, Slot excluded, float* squared) const {
+  int nearest(PointOf&& point_of, const float* point, int k, Slot excluded, Near* near) const {
+    const auto before = [](const Near& a, const Near& b) {
+      return a.squared < b.squared || (a.squared == b.squared && a.slot < b.slot);
+    };
     int found = 0;
     const Cell centre = cell_of(point);
     for (int ring = 0; ring <= cells_; ++ring) {
       for_ring(centre, ring, [&](Slot s) {
         if (s == excluded) return;
-        const float d2 = distance2(point_of(s), point);
-        if (found == k && !(d2 < squared[k - 1])) return;
+        const Near candidate{distance2(point_of(s), point), s};
+        if (found == k && !before(candidate, near[k - 1])) return;
         int at = found < k ? found++ : k - 1;
-        for (; at > 0 && squared[at - 1] > d2; --at) squared[at] = squared[at - 1];
-        squared[at] = d2;
+        for (; at > 0 && before(candidate, near[at - 1]); --at) near[at] = near[at - 1];
+        near[at] = candidate;
       });
       // Whatever lies outside this ring is at least this far (in clamped position, so in truth too).
       const float beyond = margin(point, centre, ring);
-      if (found == k && squared[k - 1] <= beyond * beyond) break;
+      if (found == k && near[k - 1].squared < beyond * beyond) break;
     }
     return found;
   }

@@ -32,7 +32,7 @@ class Repertoire {
 // The candidate that row i of `elites` once was.
 inline Candidate candidate_of(const Elites& elites, Eigen::Index i) {
   return {elites.solution.row(i).data(),
-          elites.length.empty() ? static_cast<int>(elites.solution.cols()) : elites.length[i],
+          elites.genes(i),
           elites.measures.row(i).data(),
           elites.objective[i],
           elites.uncertainty.size() ? elites.uncertainty[i] : 0.0f,

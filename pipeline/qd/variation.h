@@ -9,6 +9,7 @@ class Variation {
  public:
   virtual ~Variation() = default;
   virtual int genes() const = 0;  // the longest genome's length
+  virtual bool fixed_length() const = 0;
   // Both write at most genes() genes in [0, 1] and return the length.
   virtual int sample(float* genome, Rng& rng) const = 0;
   virtual int vary(const float* parent, int length, float* child, Rng& rng) const = 0;
@@ -24,6 +25,7 @@ class PolynomialMutation final : public Variation {
  public:
   PolynomialMutation(int genes, float eta, float rate) : genes_(genes), eta_(eta), rate_(rate) {}
   int genes() const override { return genes_; }
+  bool fixed_length() const override { return true; }
   int sample(float* genome, Rng& rng) const override;
   int vary(const float* parent, int length, float* child, Rng& rng) const override;
 
@@ -45,6 +47,7 @@ class BlockMutation final : public Variation {
         rate_(rate),
         length_rate_(length_rate) {}
   int genes() const override { return head_ + most_blocks_ * block_; }
+  bool fixed_length() const override { return false; }
   int sample(float* genome, Rng& rng) const override;
   int vary(const float* parent, int length, float* child, Rng& rng) const override;
 

@@ -1,0 +1,36 @@
+// Layer 1 of another robot (paper, section 5.2): points on a plane of its space, scaled to the arm's drawing
+// area.
+#include "models/simbody/plane_file.h"
+#include "models/simbody/robot_on_plane.h"
+#include "stages/evolve.h"
+
+namespace {
+
+struct RobotPointsEvolution : hbr::RunTable {
+  double half_side = 0;
+  std::string cost;
+  hbr::RobotSettings robot;
+  hbr::SearchTable search;
+};
+template <class Fields>
+void describe(Fields& f, RobotPointsEvolution& s) {
+  describe_run(f, s);
+  f.number("half_side", s.half_side, hbr::Range{1e-3, 100}, "L: half the side of the drawing area, m");
+  f.choice("cost", s.cost, {"joint_variance", "few_joints"}, "what layer 1 minimises");
+  f.table("robot", s.robot, "the robot");
+  f.table("search", s.search, "the search");
+}
+
+void run(hbr::StageRun& stage) {
+  const auto s = stage.settings_as<RobotPointsEvolution>();
+  const hbr::RobotOnPlane robot = hbr::make_robot(s.robot, hbr::load_plane(stage.input("plane")));
+  const hbr::PointEvaluator points(robot, hbr::Frame{s.half_side, 0}, hbr::joint_cost(s.cost),
+                                   s.robot.off_plane_tolerance);
+
+  evolve(stage, s.search, hbr::fixed_length(static_cast<int>(robot.dof()), s.search), points,
+         hbr::Seed(s.seed).child(stage.stage()).child(s.replication));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Layer 1 of another robot", run); }

@@ -1,0 +1,90 @@
+#include "pipeline/hierarchy/arc_geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "pipeline/core/random.h"
+
+namespace hbr {
+namespace {
+
+constexpr Frame kFrame{0.63965, 0.256};
+
+ArcPoints on_circle(const Eigen::Vector2d& centre, double radius, double from, double step) {
+  ArcPoints points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double angle = from + step * static_cast<double>(i);
+    points[i] = centre + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  }
+  return points;
+}
+
+TEST(CircleCentre, FindsTheCircleThatThePointsAreOn) {
+  Rng rng(Seed(22));
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector2d centre(rng.uniform(-0.6f, 0.6f), rng.uniform(-0.6f, 0.6f));
+    const double radius = rng.uniform(0.02f, 0.6f);
+    const ArcPoints points = on_circle(centre, radius, rng.uniform(-3, 3), rng.uniform(0.2f, 1.5f));
+    EXPECT_LT((circle_centre(points) - centre).norm(), 1e-3 * radius);  // the ridge's pull
+  }
+}
+
+TEST(CircleCentre, FitsNoisyPointsInTheLeastSquares) {
+  // At the minimum of sum (|p - c|^2 - k)^2 the gradient vanishes; the ridge is 1e-6 of the spread.
+  Rng rng(Seed(23));
+  ArcPoints points = on_circle({0.1, -0.2}, 0.3, 0.5, 0.7);
+  for (auto& p : points) p += Eigen::Vector2d(rng.uniform(-.03f, .03f), rng.uniform(-.03f, .03f));
+  const Eigen::Vector2d c = circle_centre(points);
+  const auto cost = [&](const Eigen::Vector2d& at) {
+    double mean = 0, sum = 0;
+    for (const auto& p : points) mean += (p - at).squaredNorm() / 6;
+    for (const auto& p : points) sum += std::pow((p - at).squaredNorm() - mean, 2);
+    return sum;
+  };
+  for (int d = 0; d < 8; ++d)
+    EXPECT_LT(cost(c), cost(c + 1e-4 * Eigen::Vector2d(std::cos(d * 0.7854), std::sin(d * 0.7854))));
+}
+
+TEST(CircleCentre, CollinearAndEqualPointsStayFinite) {
+  ArcPoints line, same;
+  for (int i = 0; i < 6; ++i) {
+    line[i] = Eigen::Vector2d(0.1, 0.2) + 0.05 * i * Eigen::Vector2d(0.6, 0.8);
+    same[i] = Eigen::Vector2d(0.3, -0.1);
+  }
+  EXPECT_LT((circle_centre(line) - (line[0] + line[5]) / 2).norm(), 1e-3);
+  EXPECT_LT((circle_centre(same) - same[0]).norm(), 1e-12);
+}
+
+TEST(ArcShape, ARegularArcHasNoIrregularity) {
+  const ArcShape shape = arc_shape(on_circle({0.2, 0.1}, 0.25, 2.9, 0.5));  // headings pass pi
+  EXPECT_LT(shape.irregularity, 1e-20);
+  EXPECT_NEAR(shape.length, 5 * 2 * 0.25 * std::sin(0.25), 1e-12);
+  EXPECT_LT((shape.centre - (Eigen::Vector2d(0.2, 0.1) - on_circle({0.2, 0.1}, 0.25, 2.9, 0.5)[0])).norm(),
+            1e-4);
+}
+
+TEST(ArcShape, IrregularityByHand) {
+  // A right-angled staircase: lengths 1, 2, 1, 2, 1, turns +90, -90, +90, -90 degrees.
+  const ArcPoints stairs{{{0, 0}, {1, 0}, {1, 2}, {2, 2}, {2, 4}, {3, 4}}};
+  const double length_variance = 0.24, turn = std::numbers::pi / 2;
+  EXPECT_NEAR(arc_shape(stairs).irregularity, 100 * length_variance + turn * turn, 1e-12);
+  EXPECT_EQ(arc_shape(stairs).length, 7);
+}
+
+TEST(ArcDescriptor, BringsFarCentresBackAlongTheirDirection) {
+  const Eigen::Vector3d d = arc_descriptor(kFrame, {{3, -4}, 0.5, 0});
+  const Eigen::Vector2d centre = kFrame.point(d.head<2>());
+  EXPECT_LT((centre - kFrame.half_side * Eigen::Vector2d(0.6, -0.8)).norm(), 1e-12);
+  EXPECT_NEAR(d.z(), 0.5 / 1.28, 1e-12);
+  EXPECT_EQ(arc_descriptor(kFrame, {{0, 0}, 99, 0}), Eigen::Vector3d(0.5, 0.5, 1));
+  const float genes[3] = {1, 1, 0.25f};
+  EXPECT_LT((kFrame.point(decode_arc(kFrame, genes).head<2>()) -
+             kFrame.half_side * Eigen::Vector2d(1, 1).normalized())
+                .norm(),
+            1e-12);
+}
+
+}  // namespace
+}  // namespace hbr

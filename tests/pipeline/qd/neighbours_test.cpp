@@ -1,0 +1,106 @@
+// The neighbour structures against brute force.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "pipeline/core/random.h"
+#include "pipeline/qd/nearest_table.h"
+#include "pipeline/qd/neighbour_grid.h"
+
+namespace hbr {
+namespace {
+
+// Points in clumps, some outside [0, 1], some equal.
+template <int D>
+Rows random_points(int n, Rng& rng) {
+  Rows points(n, D);
+  for (int i = 0; i < n; ++i)
+    for (int d = 0; d < D; ++d)
+      points(i, d) = i % 7 == 3 ? points(i - 1, d) : rng.uniform(i % 5 ? 0.2f : -0.2f, i % 3 ? 0.6f : 1.2f);
+  return points;
+}
+
+template <int D>
+void grid_agrees_with_brute_force() {
+  Rng rng(Seed(1).child(D));
+  const Rows points = random_points<D>(600, rng);
+  NeighbourGrid<D> grid(0, 1, 0.07f);
+  const auto point_of = [&](Slot s) { return points.row(s).data(); };
+  for (Slot s = 0; s < 600; ++s) grid.insert(s, point_of(s));
+  for (Slot s = 0; s < 600; s += 4) grid.erase(s, point_of(s));
+  std::vector<Slot> present;
+  for (Slot s = 0; s < 600; ++s)
+    if (s % 4) present.push_back(s);
+
+  for (int q = 0; q < 300; ++q) {
+    float query[D];
+    for (float& x : query) x = rng.uniform(-0.3f, 1.3f);
+    const Slot excluded = q % 2 ? kNoSlot : present[q];
+    std::vector<std::pair<float, Slot>> all;
+    for (const Slot s : present)
+      if (s != excluded) all.emplace_back(NeighbourGrid<D>::distance2(point_of(s), query), s);
+    std::sort(all.begin(), all.end());
+
+    typename NeighbourGrid<D>::Near near[15];
+    ASSERT_EQ(grid.nearest(point_of, query, 15, excluded, near), 15);
+    for (int k = 0; k < 15; ++k) {
+      EXPECT_EQ(near[k].squared, all[k].first);
+      EXPECT_EQ(near[k].slot, all[k].second);
+    }
+    std::vector<Slot> within, expected;
+    grid.near(query, 0.1f, [&](Slot s) {
+      if (NeighbourGrid<D>::distance2(point_of(s), query) <= 0.01f) within.push_back(s);
+      return true;
+    });
+    for (const Slot s : present)
+      if (NeighbourGrid<D>::distance2(point_of(s), query) <= 0.01f) expected.push_back(s);
+    std::sort(within.begin(), within.end());
+    EXPECT_EQ(within, expected);
+  }
+}
+
+TEST(NeighbourGrid, AgreesWithBruteForceInAnyDimension) {
+  grid_agrees_with_brute_force<1>();
+  grid_agrees_with_brute_force<2>();
+  grid_agrees_with_brute_force<3>();
+  grid_agrees_with_brute_force<4>();
+  grid_agrees_with_brute_force<6>();
+}
+
+TEST(NeighbourGrid, FewerThanAskedFor) {
+  NeighbourGrid<2> grid(0, 1, 0.1f);
+  const float p[2] = {0.5f, 0.5f};
+  grid.insert(0, p);
+  NeighbourGrid<2>::Near near[3];
+  EXPECT_EQ(grid.nearest([&](Slot) { return p; }, p, 3, kNoSlot, near), 1);
+  EXPECT_EQ(grid.nearest([&](Slot) { return p; }, p, 3, 0, near), 0);
+}
+
+template <int D>
+void table_agrees_with_brute_force(int n, int levels) {
+  Rng rng(Seed(2).child(D).child(n));
+  const Rows points = random_points<D>(n, rng);
+  const NearestTable<D> table(points, -0.1f, 1.1f, levels);
+  for (int q = 0; q < 20000; ++q) {
+    float query[D];
+    for (int d = 0; d < D; ++d)
+      query[d] =
+          q % 10 == 0 ? points(rng.below(n), d) : rng.uniform(q % 4 ? 0.1f : -0.5f, q % 4 ? 0.7f : 1.5f);
+    int expected = 0;
+    for (int i = 1; i < n; ++i)
+      if (NeighbourGrid<D>::distance2(points.row(i).data(), query) <
+          NeighbourGrid<D>::distance2(points.row(expected).data(), query))
+        expected = i;
+    ASSERT_EQ(table.nearest(query), expected);
+  }
+}
+
+TEST(NearestTable, AgreesWithBruteForce) {
+  table_agrees_with_brute_force<2>(1, 3);
+  table_agrees_with_brute_force<2>(500, 7);
+  table_agrees_with_brute_force<3>(300, 4);
+}
+
+}  // namespace
+}  // namespace hbr

@@ -1,0 +1,87 @@
+#include "pipeline/qd/selector.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hbr {
+namespace {
+
+// The same life for a curiosity selector and a plain list of scores.
+struct Life {
+  CuriositySelector selector;
+  std::vector<double> scores;
+  void lives(int steps, Rng& rng) {
+    for (int i = 0; i < steps; ++i) {
+      const Slot parent =
+          scores.empty() || rng.below(10) == 0 ? kNoSlot : static_cast<Slot>(rng.below(scores.size()));
+      const int kind = rng.below(4);
+      Added added{Outcome::kRejected, kNoSlot};
+      if (kind == 0 || scores.empty()) added = {Outcome::kNovel, static_cast<Slot>(scores.size())};
+      if (kind == 1 && !scores.empty())
+        added = {Outcome::kReplaced, static_cast<Slot>(rng.below(scores.size()))};
+      selector.learn(parent, added);
+      if (parent != kNoSlot) scores[parent] += added.outcome == Outcome::kRejected ? -0.5 : 1;
+      if (added.outcome == Outcome::kNovel) scores.push_back(0);
+      if (added.outcome == Outcome::kReplaced) scores[added.slot] = 0;
+    }
+  }
+};
+
+TEST(CuriositySelector, DrawsInProportionToTheScoreAboveTheLowest) {
+  Life life;
+  Rng rng(Seed(9));
+  life.lives(60, rng);
+  const double floor = std::min(0.0, *std::min_element(life.scores.begin(), life.scores.end()));
+  double total = 0;
+  for (const double s : life.scores) total += s - floor;
+  ASSERT_GT(total, 0);
+  constexpr int kDraws = 400000;
+  std::vector<int> drawn(life.scores.size());
+  for (int i = 0; i < kDraws; ++i) ++drawn[life.selector.draw(static_cast<Slot>(drawn.size()), rng)];
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const double p = (life.scores[i] - floor) / total;
+    EXPECT_NEAR(drawn[i], kDraws * p, 5 * std::sqrt(kDraws * p * (1 - p)));
+  }
+}
+
+TEST(CuriositySelector, KeepsTheScoresOfALongLife) {
+  Life life;
+  Rng rng(Seed(10));
+  life.lives(20000, rng);
+  const std::vector<std::int64_t> halves = life.selector.memory();
+  ASSERT_EQ(halves.size(), life.scores.size());
+  for (std::size_t i = 0; i < halves.size(); ++i) EXPECT_EQ(halves[i], 2 * life.scores[i]);
+}
+
+TEST(CuriositySelector, WithoutAnySharesEveryEliteIsAsLikely) {
+  CuriositySelector selector;
+  for (Slot s = 0; s < 4; ++s) selector.learn(kNoSlot, {Outcome::kNovel, s});
+  Rng rng(Seed(11));
+  std::vector<int> drawn(4);
+  for (int i = 0; i < 40000; ++i) ++drawn[selector.draw(4, rng)];
+  for (const int n : drawn) EXPECT_NEAR(n, 10000, 5 * 87);
+}
+
+TEST(CuriositySelector, RestoredItDrawsTheSame) {
+  Life life;
+  Rng rng(Seed(12));
+  life.lives(500, rng);
+  CuriositySelector restored;
+  restored.restore(life.selector.memory());
+  const auto size = static_cast<Slot>(life.scores.size());
+  Rng a(Seed(13)), b(Seed(13));
+  for (int i = 0; i < 1000; ++i) EXPECT_EQ(life.selector.draw(size, a), restored.draw(size, b));
+}
+
+TEST(UniformSelector, DrawsEveryEliteAlike) {
+  UniformSelector selector;
+  Rng rng(Seed(14));
+  std::vector<int> drawn(5);
+  for (int i = 0; i < 50000; ++i) ++drawn[selector.draw(5, rng)];
+  for (const int n : drawn) EXPECT_NEAR(n, 10000, 5 * 90);
+}
+
+}  // namespace
+}  // namespace hbr

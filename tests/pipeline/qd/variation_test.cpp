@@ -1,0 +1,82 @@
+#include "pipeline/qd/variation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace hbr {
+namespace {
+
+TEST(PolynomialStep, FollowsItsDistribution) {
+  // P(|delta| <= x) = 1 - (1 - x)^(eta + 1), from the density (eta + 1)/2 (1 - |delta|)^eta.
+  Rng rng(Seed(15));
+  constexpr int kDraws = 200000;
+  constexpr float kEta = 10;
+  for (const float x : {0.02f, 0.06f, 0.15f, 0.3f}) {
+    int within = 0, up = 0;
+    for (int i = 0; i < kDraws; ++i) {
+      const float step = polynomial_step(0.5f, kEta, rng.uniform()) - 0.5f;
+      within += std::abs(step) <= x;
+      up += step > 0;
+    }
+    const double p = 1 - std::pow(1 - x, kEta + 1);
+    EXPECT_NEAR(within, kDraws * p, 5 * std::sqrt(kDraws * p * (1 - p)));
+    EXPECT_NEAR(up, kDraws / 2, 5 * std::sqrt(kDraws / 4.0));
+  }
+  EXPECT_EQ(polynomial_step(0.9f, 10, 0.9999999f), 1);  // clipped
+  EXPECT_EQ(polynomial_step(0.1f, 10, 0.0f), 0);
+  EXPECT_EQ(polynomial_step(0.3f, 10, 0.5f), 0.3f);
+}
+
+TEST(PolynomialMutation, ChangesTheStatedShareOfGenes) {
+  const PolynomialMutation mutation(8, 10, 0.1f);
+  Rng rng(Seed(16));
+  std::vector<float> parent(8), child(8);
+  EXPECT_EQ(mutation.sample(parent.data(), rng), 8);
+  int changed = 0, clones = 0;
+  for (int i = 0; i < 50000; ++i) {
+    mutation.vary(parent.data(), 8, child.data(), rng);
+    int here = 0;
+    for (int g = 0; g < 8; ++g) {
+      here += child[g] != parent[g];
+      EXPECT_TRUE(child[g] >= 0 && child[g] <= 1);
+    }
+    changed += here;
+    clones += here == 0;
+  }
+  EXPECT_NEAR(changed, 40000, 5 * std::sqrt(400000 * 0.09));
+  EXPECT_NEAR(clones / 50000.0, std::pow(0.9, 8), 0.012);  // 43 %
+}
+
+TEST(BlockMutation, AddsAndRemovesWholeBlocks) {
+  const BlockMutation mutation(3, 3, 3, 10, 0.0f, 0.05f);  // no gene mutates: what stays must be the parent's
+  Rng rng(Seed(17));
+  std::map<int, int> sampled;
+  std::vector<float> parent(mutation.genes()), child(mutation.genes());
+  for (int i = 0; i < 3000; ++i) ++sampled[mutation.sample(parent.data(), rng)];
+  ASSERT_EQ(sampled.size(), 3u);
+  for (const int length : {6, 9, 12}) EXPECT_NEAR(sampled[length], 1000, 130);
+
+  for (const int length : {6, 9, 12}) {
+    for (int g = 0; g < length; ++g) parent[g] = 0.01f * static_cast<float>(g + 1);
+    std::map<int, int> lengths;
+    for (int i = 0; i < 40000; ++i) {
+      const int now = mutation.vary(parent.data(), length, child.data(), rng);
+      ++lengths[now];
+      std::vector<float> kept;  // the child without its new block, the parent without its lost one
+      for (int g = 0; g < now; ++g)
+        for (int h = 0; h < length; ++h)
+          if (child[g] == parent[h]) kept.push_back(child[g]);
+      EXPECT_EQ(static_cast<int>(kept.size()), std::min(now, length));
+      EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+      EXPECT_TRUE(std::equal(parent.begin(), parent.begin() + 3, child.begin()));
+    }
+    EXPECT_NEAR(lengths[length + 3], length < 12 ? 1000 : 0, 160);
+    EXPECT_NEAR(lengths[length - 3], length > 6 ? 1000 : 0, 160);
+  }
+}
+
+}  // namespace
+}  // namespace hbr
