@@ -70,8 +70,10 @@ build: build/.packages build/release/build.ninja
 
 # The experiment -------------------------------------------------------------------------------------------------
 
+# The page is an artifact; the report is the page with the times, hosts and versions of the manifests.
 all $(stages): experiment
-	@:
+	@[ ! -e '$(OUT)/page.json' ] || [ '$(OUT)/report/index.html' -nt '$(OUT)/page.json' ] || \
+	  $(programs)/publish '$(OUT)/page' '$(OUT)' '$(OUT)/report'
 
 data: build/.packages
 	@DEPS='$(DEPS)' pipeline/fetch_mnist.sh .cache/mnist

@@ -250,6 +250,21 @@ class Experiment {
       add("robot_transfer", robot.name + "_transfer", r, with(digits_slice(r), {{"robot", body}}), inputs,
           {robot.urdf});
     }
+
+    Inputs inputs{{"plane", plane + ".h5"},
+                  {"robot_layer1", numbered(robot.name + "_layer1", 0)},
+                  {"strokes", numbered(robot.name + "_transfer", 0)}};
+    if (robot.meshes == "nao_meshes") {  // made, not found
+      graph_.push_back({"nao_meshes", "nao_meshes", -1, "nao_meshes", json::object(), {}, {}});
+      inputs.emplace_back("meshes", "nao_meshes");
+    }
+    graph_.push_back({"robot_picture",
+                      robot.name + "_picture",
+                      -1,
+                      robot.name + "_picture",
+                      {{"half_side", p_.half_side}, {"robot", body}},
+                      inputs,
+                      {robot.urdf}});
   }
 
   // Everything before, by its own name, then what the statistics say of it.
@@ -264,6 +279,15 @@ class Experiment {
                         {"replications", settings_to_json(p_.replications)},
                         {"generations", generations}};
     graph_.push_back({"statistics", "statistics", -1, "statistics.json", settings, all, {}});
+    all.emplace_back("statistics.json", "statistics.json");
+    const std::string claims = "reports/claims.toml", readings = "reports/readings.toml";
+    graph_.push_back({"report",
+                      "report",
+                      -1,
+                      "page",
+                      {{"claims", claims}, {"readings", readings}},
+                      all,
+                      {claims, readings}});
   }
 
   Profile p_;

@@ -56,7 +56,9 @@ template <class Fields>
 void describe(Fields& f, RobotSettings& s) {
   f.text("name", s.name, "the robot's name, as files and figures call it");
   f.text("urdf", s.urdf, "its URDF, absolute or below the repository");
-  f.text("meshes", s.meshes, "folder to look for its meshes; empty: where the URDF says");
+  f.text(
+      "meshes", s.meshes,
+      "folder to look for its meshes, or the stage that makes them (nao_meshes); empty: where the URDF says");
   f.number("mesh_scale", s.mesh_scale, Range{1e-6, 1e6}, "metres per unit of its mesh files");
   f.text("tip_link", s.tip_link, "the link whose origin is the pen");
   f.texts("joints", s.joints, "the joints that draw, in the genome's order");
