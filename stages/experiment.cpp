@@ -269,16 +269,17 @@ class Experiment {
 
   // Everything before, by its own name, then what the statistics say of it.
   void results() {
-    Inputs all;
+    Inputs all, measured;
     json generations = json::object();
     for (const Node& node : graph_) {
       all.emplace_back(node.output, node.output);
+      if (node.output.ends_with(".h5")) measured.push_back(all.back());
       if (node.settings.contains("search")) generations[node.stage] = node.settings["search"]["generations"];
     }
     const json settings{{"profile", p_.name},
                         {"replications", settings_to_json(p_.replications)},
                         {"generations", generations}};
-    graph_.push_back({"statistics", "statistics", -1, "statistics.json", settings, all, {}});
+    graph_.push_back({"statistics", "statistics", -1, "statistics.json", settings, measured, {}});
     all.emplace_back("statistics.json", "statistics.json");
     const std::string claims = "reports/claims.toml", readings = "reports/readings.toml";
     graph_.push_back({"report",
