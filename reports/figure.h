@@ -13,7 +13,7 @@ namespace hbr {
 struct Panel {
   std::string title;
   Drawing drawing;
-  int span = 2;  // of the six columns of a row: 2, 3 or 6
+  int span = 2;  // of the six columns of a row: 2, 3, 4 or 6
 };
 
 // The numbers behind a figure, one a row: panel, series, x, quantity, value.

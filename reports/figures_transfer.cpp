@@ -135,14 +135,16 @@ Figure transfer_figure(const Evidence& evidence) {
 
 Figure posture_figure(const Evidence& evidence) {
   Figure figure{.id = "posture", .title = "NAO draws a digit."};
-  figure.caption = "Left: the posture at the end of the stroke. Right: poses along it.";
+  figure.caption =
+      "Left: the posture at the end of the stroke, seen through the board, so that the digit is mirrored. "
+      "Right: poses along the stroke.";
   if (!evidence.artifacts.has("nao_picture")) {
     figure.absent = "This run made no picture of NAO.";
     return figure;
   }
   const std::filesystem::path folder = evidence.artifacts.path("nao_picture");
-  figure.panels = {{"Posture", picture_file(folder / "posture.png", 500), 3},
-                   {"Along the stroke", picture_file(folder / "strip.png", 500), 3}};
+  figure.panels = {{"Posture", picture_file(folder / "posture.png", 400), 2},
+                   {"Along the stroke", picture_file(folder / "strip.png", 900), 4}};
   return figure;
 }
 

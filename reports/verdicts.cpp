@@ -70,7 +70,7 @@ std::string claims_table(const nlohmann::json& claims) {
     html += fmt::format(
         "<tr id=\"claim-{}\" data-verdict=\"{}\"><td>{} <div class=\"place\">{}</div></td><td "
         "data-name=\"Paper\">{}</td><td data-name=\"This run\">{}</td><td><span class=\"badge {}\">{} "
-        "{}</span>{}<div class=\"reason\">{}</div></td></tr>\n",
+        "{}</span>{}<details class=\"reason\"><summary>why</summary>{}</details></td></tr>\n",
         text(claim, "id"), verdict.css, text(claim, "statement"), text(claim, "place"), text(claim, "paper"),
         text(claim, "ours"), verdict.css, verdict.sign, verdict.name,
         indication.empty() || indication == verdict.name

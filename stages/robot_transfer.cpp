@@ -19,13 +19,14 @@ void describe(Fields& f, TransferSlice& s) {
   f.table("robot", s.robot, "the robot");
 }
 
-// The digit that a picture shows: of those that the judge calls good, 1s aside, the one it is surest of.
+// The digit that a picture shows: of those that the judge calls good, plain 0s and 1s aside, the one it is surest
+// of.
 Eigen::Index most_legible(const hbr::Hdf5Reader& digits) {
   const auto label = digits.read<std::uint8_t>("hbr/label").values;
   const auto good = digits.read<std::uint8_t>("hbr/good").values;
   const auto confidence = digits.read<float>("hbr/confidence").values;
   std::size_t best = 0;
-  const auto rank = [&](std::size_t i) { return std::pair(good[i] && label[i] != 1, confidence[i]); };
+  const auto rank = [&](std::size_t i) { return std::pair(good[i] && label[i] > 1, confidence[i]); };
   for (std::size_t i = 1; i < label.size(); ++i)
     if (rank(i) > rank(best)) best = i;
   return static_cast<Eigen::Index>(best);
