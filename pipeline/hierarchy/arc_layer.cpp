@@ -68,30 +68,38 @@ ArcEvaluator::Outcome ArcEvaluator::execute(const float* genome, Rng& rng) const
   ArcLines requests = controller_.decode(frame_, genome);
   for (auto& line : requests) line = lines_.request(line);
 
-  thread_local std::vector<double> descriptors;
-  thread_local std::vector<ArcWaypoints> executions;
-  descriptors.resize(3 * samples_);
-  executions.resize(samples_);
-  for (int s = 0; s < samples_; ++s) {
-    ArcWaypoints& at = executions[s];
-    at[0] = static_cast<std::int32_t>(rng.below(static_cast<std::uint32_t>(points_.size())));
-    for (int i = 0; i < kArcSegments; ++i) at[i + 1] = line_end(points_, at[i], requests[i]);
-    Eigen::Vector3d::Map(&descriptors[3 * s]) = arc_descriptor(frame_, arc_shape(pen_positions(points_, at)));
+  // All executions take the same step together: their look-ups do not wait for each other.
+  thread_local ArcTracks tracks;
+  thread_local Samples<3> descriptors;
+  thread_local std::array<std::vector<std::int32_t>, kArcSegments + 1> at;
+  tracks.resize(samples_);
+  for (auto& elites : at) elites.resize(samples_);
+  for (int s = 0; s < samples_; ++s)
+    at[0][s] = static_cast<std::int32_t>(rng.below(static_cast<std::uint32_t>(points_.size())));
+  for (int k = 0; k <= kArcSegments; ++k)
+    for (int s = 0; s < samples_; ++s) {
+      if (k > 0) at[k][s] = line_end(points_, at[k - 1][s], requests[k - 1]);
+      const Eigen::Vector2d p = points_.position(at[k][s]);
+      tracks.x[k][s] = p.x();
+      tracks.y[k][s] = p.y();
+    }
+  arc_descriptors(frame_, tracks, descriptors);
+  const Median<3> median = geometric_median<3>(descriptors);
+  Outcome outcome{median.point, median.mean_distance, {}, 0, 0};
+  for (int k = 0; k <= kArcSegments; ++k) {
+    outcome.waypoints[k] = at[k][median.nearest];
+    if (k > 0) outcome.joint_cost += points_.variance(outcome.waypoints[k]) / kArcSegments;
   }
-  const Median<3> median = geometric_median<3>(descriptors.data(), samples_);
-  const ArcWaypoints& typical = executions[median.nearest];
-  double variance = 0;
-  for (int i = 1; i <= kArcSegments; ++i) variance += points_.variance(typical[i]);
-  return {median.point, median.mean_distance, typical,
-          arc_shape(pen_positions(points_, typical)).irregularity, variance / kArcSegments};
+  outcome.irregularity = irregularity(pen_positions(points_, outcome.waypoints));
+  return outcome;
 }
 
 void ArcEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const {
   for (Eigen::Index i = begin; i < end; ++i) {
     Rng rng(seed.child(i));
     const Outcome outcome = execute(batch.genome.row(i).data(), rng);
-    batch.descriptor.row(i) = outcome.descriptor.cast<float>().transpose();
-    batch.uncertainty[i] = static_cast<float>(outcome.uncertainty);
+    batch.descriptor.row(i) = outcome.descriptor.transpose();
+    batch.uncertainty[i] = outcome.uncertainty;
     batch.fitness[i] = static_cast<float>(outcome.fitness());
     batch.valid[i] = 1;
   }
@@ -120,7 +128,7 @@ void FlatArcEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index e
     for (int w = 0; w < kArcSegments; ++w) positions[w + 1] = pens[w].position;
     const ArcShape shape = arc_shape(positions);
     batch.descriptor.row(i) = arc_descriptor(frame_, shape).cast<float>().transpose();
-    batch.fitness[i] = static_cast<float>(-(shape.irregularity + variance / kArcSegments));
+    batch.fitness[i] = static_cast<float>(-(irregularity(positions) + variance / kArcSegments));
     batch.valid[i] = 1;
   }
 }

@@ -61,8 +61,8 @@ class ArcEvaluator final : public Evaluator {
 
   // The same for one genome, with the way-points of the sample nearest to the median.
   struct Outcome {
-    Eigen::Vector3d descriptor;
-    double uncertainty;
+    Eigen::Vector3f descriptor;
+    float uncertainty;
     ArcWaypoints waypoints;
     double irregularity;  // the first two terms of the fitness, positive
     double joint_cost;    // J

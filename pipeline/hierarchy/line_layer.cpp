@@ -31,19 +31,22 @@ LineEvaluator::LineEvaluator(const PointLayer& points, const Frame& frame, int s
     : points_(points), frame_(frame), samples_(samples) {}
 
 void LineEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const {
-  std::vector<double> samples(2 * samples_);
+  thread_local Samples<2> samples;
+  samples.resize(samples_);
   for (Eigen::Index i = begin; i < end; ++i) {
     Rng rng(seed.child(i));
     const Eigen::Vector2d displacement = decode_line(frame_, batch.genome.row(i).data());
     for (int s = 0; s < samples_; ++s) {
       const auto start = static_cast<std::int32_t>(rng.below(static_cast<std::uint32_t>(points_.size())));
       const std::int32_t stop = line_end(points_, start, displacement);
-      const Eigen::Vector2d drawn = points_.position(stop) - points_.position(start);
-      Eigen::Vector2d::Map(&samples[2 * s]) = frame_.line_descriptor(drawn);
+      const Eigen::Vector2f drawn =
+          frame_.line_descriptor(points_.position(stop) - points_.position(start)).cast<float>();
+      samples.coordinate(0)[s] = drawn.x();
+      samples.coordinate(1)[s] = drawn.y();
     }
-    const Median<2> median = geometric_median<2>(samples.data(), samples_);
-    batch.descriptor.row(i) = median.point.cast<float>().transpose();
-    batch.uncertainty[i] = static_cast<float>(median.mean_distance);
+    const Median<2> median = geometric_median<2>(samples);
+    batch.descriptor.row(i) = median.point.transpose();
+    batch.uncertainty[i] = median.mean_distance;
     batch.fitness[i] = 0;
     batch.valid[i] = 1;
   }

@@ -40,7 +40,7 @@ JointCost joint_cost(const std::string& name) {
 
 // Lines reach out of the drawing area; the table covers what they ask for and a query beyond is scanned.
 PointLayer::PointLayer(const Elites& elites, const Robot& robot, const Frame& frame)
-    : frame_(frame), table_(elites.measures, -0.25f, 1.25f, 9), variance_(elites.size()) {
+    : frame_(frame), table_(elites.measures, -0.25f, 1.25f, 8), variance_(elites.size()) {
   position_.resize(elites.size(), 2);
   joints_.resize(elites.size(), robot.dof());
   for (Eigen::Index i = 0; i < elites.size(); ++i) {

@@ -16,8 +16,6 @@ namespace hbr {
 template <int D>
 class NearestTable {
  public:
-  using Point = std::array<float, D>;
-
   // points [n x D], n > 0; the box [low, high]^D is cut 2^levels times along every dimension.
   NearestTable(const Rows& points, float low, float high, int levels)
       : low_(low),
@@ -37,7 +35,7 @@ class NearestTable {
     split(root, all, lists);
     begin_.push_back(0);
     for (const auto& list : lists) {
-      candidates_.insert(candidates_.end(), list.begin(), list.end());
+      for (const std::int32_t i : list) candidates_.push_back(candidate(i));
       begin_.push_back(static_cast<std::uint32_t>(candidates_.size()));
     }
   }
@@ -65,22 +63,31 @@ class NearestTable {
     int side;                   // in cells
   };
 
-  void consider(std::int32_t i, const float* query, float& least, std::int32_t& found) const {
+  // A point beside its index: a look-up reads one run of memory.
+  struct Candidate {
+    float point[D];
+    std::int32_t index;
+  };
+
+  Candidate candidate(std::int32_t i) const {
+    Candidate c;
+    std::copy_n(&points_[static_cast<std::size_t>(i) * D], D, c.point);
+    c.index = i;
+    return c;
+  }
+
+  static void consider(const Candidate& c, const float* query, float& least, std::int32_t& found) {
     float d2 = 0;
-    for (int d = 0; d < D; ++d) {
-      const float difference = points_[static_cast<std::size_t>(i) * D + d] - query[d];
-      d2 += difference * difference;
-    }
-    if (d2 < least) {
-      least = d2;
-      found = i;
-    }
+    for (int d = 0; d < D; ++d) d2 += (c.point[d] - query[d]) * (c.point[d] - query[d]);
+    const bool nearer = d2 < least;
+    least = nearer ? d2 : least;
+    found = nearer ? c.index : found;
   }
 
   std::int32_t scan(const float* query) const {
     float least = std::numeric_limits<float>::infinity();
     std::int32_t found = -1;
-    for (std::int32_t i = 0; i < size_; ++i) consider(i, query, least, found);
+    for (std::int32_t i = 0; i < size_; ++i) consider(candidate(i), query, least, found);
     return found;
   }
 
@@ -131,7 +138,7 @@ class NearestTable {
   Eigen::Index size_;
   std::vector<float> points_;
   std::vector<std::uint32_t> begin_;
-  std::vector<std::int32_t> candidates_;
+  std::vector<Candidate> candidates_;
 };
 
 }  // namespace hbr

@@ -58,8 +58,9 @@ TEST(CircleCentre, CollinearAndEqualPointsStayFinite) {
 }
 
 TEST(ArcShape, ARegularArcHasNoIrregularity) {
-  const ArcShape shape = arc_shape(on_circle({0.2, 0.1}, 0.25, 2.9, 0.5));  // headings pass pi
-  EXPECT_LT(shape.irregularity, 1e-20);
+  const ArcPoints arc = on_circle({0.2, 0.1}, 0.25, 2.9, 0.5);  // headings pass pi
+  const ArcShape shape = arc_shape(arc);
+  EXPECT_LT(irregularity(arc), 1e-20);
   EXPECT_NEAR(shape.length, 5 * 2 * 0.25 * std::sin(0.25), 1e-12);
   EXPECT_LT((shape.centre - (Eigen::Vector2d(0.2, 0.1) - on_circle({0.2, 0.1}, 0.25, 2.9, 0.5)[0])).norm(),
             1e-4);
@@ -69,21 +70,39 @@ TEST(ArcShape, IrregularityByHand) {
   // A right-angled staircase: lengths 1, 2, 1, 2, 1, turns +90, -90, +90, -90 degrees.
   const ArcPoints stairs{{{0, 0}, {1, 0}, {1, 2}, {2, 2}, {2, 4}, {3, 4}}};
   const double length_variance = 0.24, turn = std::numbers::pi / 2;
-  EXPECT_NEAR(arc_shape(stairs).irregularity, 100 * length_variance + turn * turn, 1e-12);
+  EXPECT_NEAR(irregularity(stairs), 100 * length_variance + turn * turn, 1e-12);
   EXPECT_EQ(arc_shape(stairs).length, 7);
 }
 
 TEST(ArcDescriptor, BringsFarCentresBackAlongTheirDirection) {
-  const Eigen::Vector3d d = arc_descriptor(kFrame, {{3, -4}, 0.5, 0});
+  const Eigen::Vector3d d = arc_descriptor(kFrame, {{3, -4}, 0.5});
   const Eigen::Vector2d centre = kFrame.point(d.head<2>());
   EXPECT_LT((centre - kFrame.half_side * Eigen::Vector2d(0.6, -0.8)).norm(), 1e-12);
   EXPECT_NEAR(d.z(), 0.5 / 1.28, 1e-12);
-  EXPECT_EQ(arc_descriptor(kFrame, {{0, 0}, 99, 0}), Eigen::Vector3d(0.5, 0.5, 1));
+  EXPECT_EQ(arc_descriptor(kFrame, {{0, 0}, 99}), Eigen::Vector3d(0.5, 0.5, 1));
   const float genes[3] = {1, 1, 0.25f};
   EXPECT_LT((kFrame.point(decode_arc(kFrame, genes).head<2>()) -
              kFrame.half_side * Eigen::Vector2d(1, 1).normalized())
                 .norm(),
             1e-12);
+}
+
+TEST(ArcDescriptors, ManyAreTheSameAsOneByOne) {
+  Rng rng(Seed(28));
+  ArcTracks tracks;
+  tracks.resize(37);
+  std::vector<ArcPoints> arcs(37);
+  for (int s = 0; s < 37; ++s)
+    for (int k = 0; k <= kArcSegments; ++k) {
+      arcs[s][k] =
+          s == 5 ? Eigen::Vector2d(0.1, 0.2) : Eigen::Vector2d(rng.uniform(-1, 1), rng.uniform(-1, 1));
+      tracks.x[k][s] = arcs[s][k].x();
+      tracks.y[k][s] = arcs[s][k].y();
+    }
+  Samples<3> descriptors;
+  arc_descriptors(kFrame, tracks, descriptors);
+  for (int s = 0; s < 37; ++s)
+    EXPECT_EQ(descriptors.sample(s), arc_descriptor(kFrame, arc_shape(arcs[s])).cast<float>());
 }
 
 }  // namespace

@@ -107,16 +107,17 @@ TEST_F(Layers, ALineIsDescribedByTheMedianOfItsExecutions) {
   evaluator.evaluate(batch, 0, 30, seed);
   for (int i = 0; i < 30; ++i) {
     Rng starts(seed.child(i));
-    std::vector<double> samples;
+    Samples<2> samples;
+    samples.resize(25);
     for (int s = 0; s < 25; ++s) {
       const int start = static_cast<int>(starts.below(400));
       const Eigen::Vector2d v =
           pen(plain_line_end(start, decode_line(kFrame, batch.genome.row(i).data()))) - pen(start);
-      samples.push_back(v.x() / (2 * kFrame.longest_line) + 0.5);
-      samples.push_back(v.y() / (2 * kFrame.longest_line) + 0.5);
+      samples.coordinate(0)[s] = static_cast<float>(v.x() / (2 * kFrame.longest_line) + 0.5);
+      samples.coordinate(1)[s] = static_cast<float>(v.y() / (2 * kFrame.longest_line) + 0.5);
     }
-    const Median<2> median = geometric_median<2>(samples.data(), 25);
-    EXPECT_LT((batch.descriptor.row(i).transpose().cast<double>() - median.point).norm(), 1e-6);
+    const Median<2> median = geometric_median<2>(samples);
+    EXPECT_LT((batch.descriptor.row(i).transpose() - median.point).norm(), 1e-6);
     EXPECT_NEAR(batch.uncertainty[i], median.mean_distance, 1e-6);
     EXPECT_EQ(batch.fitness[i], 0);
   }
@@ -149,7 +150,9 @@ TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
       Rng execution(Seed(27).child(i)), again(Seed(27).child(i));
       const ArcEvaluator::Outcome outcome = evaluator.execute(genome.data(), execution);
 
-      std::vector<double> descriptors, fitness;
+      Samples<3> descriptors;
+      descriptors.resize(7);
+      std::vector<double> fitness;
       for (int s = 0; s < 7; ++s) {
         int at = static_cast<int>(again.below(400));
         ArcPoints drawn{pen(at)};
@@ -161,11 +164,11 @@ TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
         }
         const ArcShape shape = arc_shape(drawn);
         const Eigen::Vector3d d = arc_descriptor(kFrame, shape);
-        descriptors.insert(descriptors.end(), d.begin(), d.end());
-        fitness.push_back(-(shape.irregularity + variance));
+        for (int c = 0; c < 3; ++c) descriptors.coordinate(c)[s] = static_cast<float>(d[c]);
+        fitness.push_back(-(irregularity(drawn) + variance));
       }
-      const Median<3> median = geometric_median<3>(descriptors.data(), 7);
-      EXPECT_LT((outcome.descriptor - median.point).norm(), 1e-9);
+      const Median<3> median = geometric_median<3>(descriptors);
+      EXPECT_LT((outcome.descriptor - median.point).norm(), 1e-6);
       EXPECT_NEAR(outcome.fitness(), fitness[median.nearest], 1e-9);
     }
   }
@@ -179,7 +182,7 @@ TEST_F(Layers, TheTurnControllerAsksForARegularArc) {
     EXPECT_NEAR(lines[i].norm(), 0.6f * kFrame.longest_line, 1e-9);
     ideal[i + 1] = ideal[i] + lines[i];
   }
-  EXPECT_LT(arc_shape(ideal).irregularity, 1e-12);
+  EXPECT_LT(irregularity(ideal), 1e-12);
   EXPECT_NEAR(std::atan2(lines[0].y(), lines[0].x()), (2 * 0.3f - 1) * std::numbers::pi, 1e-9);
 }
 
@@ -202,7 +205,7 @@ TEST_F(Layers, AFlatArcStartsAtTheStraightArm) {
     const ArcShape shape = arc_shape(drawn);
     EXPECT_LT((batch.descriptor.row(i).transpose().cast<double>() - arc_descriptor(kFrame, shape)).norm(),
               1e-6);
-    EXPECT_NEAR(batch.fitness[i], -(shape.irregularity + variance), 1e-4);
+    EXPECT_NEAR(batch.fitness[i], -(irregularity(drawn) + variance), 1e-4);
   }
 }
 
