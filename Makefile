@@ -16,7 +16,7 @@ DEPS ?= auto
 REP ?=
 export MNIST_DIR
 
-targets := help deps build data all test bench sanitize coverage format check-format tidy status audit graph clean distclean
+targets := help deps build data all test bench sanitize coverage format check-format status audit graph clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -35,7 +35,7 @@ help:
 	@echo 'make bench           build and run the benchmarks'
 	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers'
 	@echo 'make coverage        all tests, and build/coverage/html: which lines they reach'
-	@echo 'make format, tidy    clang-format, clang-tidy on all sources; check-format only tells'
+	@echo 'make format          clang-format on all sources; check-format only tells'
 	@echo 'make status          what is fresh, stale or missing, and why'
 	@echo 'make audit           read every artifact again and compare it with its manifest'
 	@echo 'make graph           OUT/graph.svg: the stages and what they hand on'
@@ -123,10 +123,6 @@ format:
 check-format:
 	@.ci/packages '$(DEPS)' format
 	@git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
-
-tidy: build
-	@.ci/packages '$(DEPS)' tidy
-	@git ls-files '*.cpp' | xargs -P "$$(nproc)" -n 1 clang-tidy --quiet -p build/release
 
 clean:
 	@rm -rf build
