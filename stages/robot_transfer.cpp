@@ -19,8 +19,8 @@ void describe(Fields& f, TransferSlice& s) {
   f.table("robot", s.robot, "the robot");
 }
 
-// The digit that a picture shows: of those that the judge calls good, plain 0s and 1s aside, the one it is surest
-// of.
+// The digit that a picture shows: of those that the judge calls good, plain 0s and 1s aside, the one it is
+// surest of.
 Eigen::Index most_legible(const hbr::Hdf5Reader& digits) {
   const auto label = digits.read<std::uint8_t>("hbr/label").values;
   const auto good = digits.read<std::uint8_t>("hbr/good").values;
