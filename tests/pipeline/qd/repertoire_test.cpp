@@ -57,6 +57,7 @@ TEST_P(RepertoireContract, SaysWhatBecameOfACandidate) {
     EXPECT_EQ(store.fitness(added.slot), s.fitness);
     ASSERT_EQ(store.length(added.slot), static_cast<int>(s.genome.size()));
     EXPECT_TRUE(std::equal(s.genome.begin(), s.genome.end(), store.genome(added.slot)));
+    for (int g = store.length(added.slot); g < 4; ++g) EXPECT_EQ(store.genome(added.slot)[g], 0);
     EXPECT_TRUE(std::equal(s.descriptor.begin(), s.descriptor.end(), store.descriptor(added.slot)));
   }
   EXPECT_GT(novel, 50);
@@ -163,6 +164,25 @@ TEST(DistanceArchive, DecidesAsTheRuleSays) {
       // The rule is strict: with equal fitness 0 nothing is ever replaced.
       EXPECT_EQ(replaced > 5, sign != 0) << replaced;
     }
+}
+
+// Of two elites as near, the older slot is the one to beat.
+TEST(DistanceArchive, ATieGoesToTheLowerSlot) {
+  const auto archive = make_distance_archive(4, 2, {0.2f, 0.1f, 1, 0, 1});
+  const std::vector<float> genome(4);
+  std::int64_t id = 0;
+  const auto add = [&](float x, float y, float fitness) {
+    const Solution s{genome, {x, y}, fitness, id++};
+    return archive->add(s.candidate());
+  };
+  add(0.625f, 0.5f, -1);
+  add(0.25f, 0.5f, -1);
+  add(0.625f, 0.703125f, -1);  // neighbours, so that both are little novel
+  add(0.25f, 0.703125f, -1);
+  ASSERT_EQ(archive->size(), 4);
+  const Added added = add(0.4375f, 0.5f, -0.1f);
+  EXPECT_EQ(added.outcome, Outcome::kReplaced);
+  EXPECT_EQ(added.slot, 0);
 }
 
 TEST(DistanceArchive, KeepsItsSpacing) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <mutex>
+#include <set>
 
 #include "pipeline/qd/distance_archive.h"
 
@@ -19,6 +21,7 @@ class Toy final : public Evaluator {
       batch.descriptor.row(i) = batch.genome.row(i).head(2);
       batch.descriptor(i, 0) += 0.001f * rng.uniform();
       batch.fitness[i] = -batch.genome(i, 2);
+      batch.uncertainty[i] = 2 * batch.genome(i, 1);
       batch.valid[i] = batch.genome(i, 0) + batch.genome(i, 1) < 1.5f;
     }
   }
@@ -68,8 +71,84 @@ TEST(Search, FillsTheSpaceAndImproves) {
   for (Eigen::Index i = 0; i < elites.size(); ++i) {
     EXPECT_LT(elites.solution(i, 0) + elites.solution(i, 1), 1.5f);  // nothing invalid is kept
     EXPECT_LT(elites.parent[i], elites.id[i]);
+    EXPECT_EQ(elites.uncertainty[i], 2 * elites.solution(i, 1));
     EXPECT_EQ(elites.parent[i] == -1, elites.id[i] < 50);  // the first generation is drawn at random
   }
+}
+
+// The first number of every stream that a search hands out, noted by what it is handed to.
+struct Numbers {
+  void note(Rng rng) {
+    const std::lock_guard lock(mutex);
+    all.push_back(rng.uniform_double());
+  }
+  std::mutex mutex;
+  std::vector<double> all;
+};
+struct NotingVariation final : Variation {
+  explicit NotingVariation(Numbers& to) : numbers(to) {}
+  int genes() const override { return variation.genes(); }
+  bool fixed_length() const override { return true; }
+  int sample(float* genome, Rng& rng) const override {
+    return numbers.note(rng), variation.sample(genome, rng);
+  }
+  int vary(const float* parent, int length, float* child, Rng& rng) const override {
+    return numbers.note(rng), variation.vary(parent, length, child, rng);
+  }
+  Numbers& numbers;
+  PolynomialMutation variation{3, 10, 0.3f};
+};
+struct NotingEvaluator final : Evaluator {
+  explicit NotingEvaluator(Numbers& to) : numbers(to) {}
+  int descriptor_size() const override { return 2; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override {
+    for (Eigen::Index i = begin; i < end; ++i) numbers.note(Rng(seed.child(i)));
+    toy.evaluate(batch, begin, end, seed);
+  }
+  Numbers& numbers;
+  Toy toy;
+};
+// Besides, it is told of the very parent it drew, or of none where that one is gone.
+struct NotingSelector final : Selector {
+  NotingSelector(Numbers& to, const Repertoire& of) : numbers(to), repertoire(of) {}
+  Slot draw(Slot size, Rng& rng) const override {
+    numbers.note(rng);
+    const Slot slot = static_cast<Slot>(rng.below(size));
+    drawn.emplace_back(slot, repertoire.store().id(slot));
+    return slot;
+  }
+  void learn(Slot parent, const Added& child) override {
+    if (drawn.empty()) {  // the first generation
+      EXPECT_EQ(parent, kNoSlot);
+      return;
+    }
+    const auto [slot, id] = drawn[told++];
+    const bool there = repertoire.store().id(slot) == id || slot == child.slot;
+    EXPECT_EQ(parent, there ? slot : kNoSlot);
+    gone += !there;
+  }
+  std::vector<std::int64_t> memory() const override { return {}; }
+  void restore(const std::vector<std::int64_t>&) override {}
+  Numbers& numbers;
+  const Repertoire& repertoire;
+  mutable std::vector<std::pair<Slot, std::int64_t>> drawn;
+  std::size_t told = 0;
+  int gone = 0;
+};
+
+TEST(Search, EveryGenerationAndChildHasNumbersOfItsOwn) {
+  constexpr int kGenerations = 40, kBatch = 25;
+  Numbers numbers;
+  const NotingVariation variation(numbers);
+  const NotingEvaluator evaluator(numbers);
+  const auto repertoire = make_distance_archive(3, 2, {0.05f, 0.1f, 15, 0, 1});
+  NotingSelector selector(numbers, *repertoire);
+  Search search(*repertoire, selector, variation, evaluator, {kGenerations, kBatch, 7}, Seed(19));
+  Workers workers(2);
+  while (!search.done()) search.step(workers);
+  EXPECT_EQ(numbers.all.size(), static_cast<std::size_t>((3 * kGenerations - 1) * kBatch));
+  EXPECT_EQ(std::set(numbers.all.begin(), numbers.all.end()).size(), numbers.all.size());
+  EXPECT_GT(selector.gone, 0);
 }
 
 TEST(Search, AnyNumberOfThreadsGivesTheSame) {

@@ -61,10 +61,15 @@ TEST(BlockMutation, AddsAndRemovesWholeBlocks) {
 
   for (const int length : {6, 9, 12}) {
     for (int g = 0; g < length; ++g) parent[g] = 0.01f * static_cast<float>(g + 1);
-    std::map<int, int> lengths;
+    std::map<int, int> lengths, added_at, lost_at;
     for (int i = 0; i < 40000; ++i) {
       const int now = mutation.vary(parent.data(), length, child.data(), rng);
       ++lengths[now];
+      const auto differs =
+          std::mismatch(child.begin(), child.begin() + std::min(now, length), parent.begin());
+      const auto block = static_cast<int>(differs.first - child.begin()) / 3 - 1;
+      if (now > length) ++added_at[block];
+      if (now < length) ++lost_at[block];
       std::vector<float> kept;  // the child without its new block, the parent without its lost one
       for (int g = 0; g < now; ++g)
         for (int h = 0; h < length; ++h)
@@ -75,6 +80,9 @@ TEST(BlockMutation, AddsAndRemovesWholeBlocks) {
     }
     EXPECT_NEAR(lengths[length + 3], length < 12 ? 1000 : 0, 160);
     EXPECT_NEAR(lengths[length - 3], length > 6 ? 1000 : 0, 160);
+    const int blocks = length / 3 - 1;
+    for (int b = 0; b <= blocks && length < 12; ++b) EXPECT_NEAR(added_at[b], 1000 / (blocks + 1), 130);
+    for (int b = 0; b < blocks && length > 6; ++b) EXPECT_NEAR(lost_at[b], 1000 / blocks, 130);
   }
 }
 
