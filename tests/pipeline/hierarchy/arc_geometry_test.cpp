@@ -58,11 +58,11 @@ TEST(CircleCentre, CollinearAndEqualPointsStayFinite) {
 }
 
 TEST(ArcShape, ARegularArcHasNoIrregularity) {
-  const ArcPoints arc = on_circle({0.2, 0.1}, 0.25, 2.9, 0.5);  // headings pass pi
+  const ArcPoints arc = on_circle({0.2, 0.1}, 0.25, 1.0, 0.5);  // headings pass pi
   const ArcShape shape = arc_shape(arc);
   EXPECT_LT(irregularity(arc), 1e-20);
   EXPECT_NEAR(shape.length, 5 * 2 * 0.25 * std::sin(0.25), 1e-12);
-  EXPECT_LT((shape.centre - (Eigen::Vector2d(0.2, 0.1) - on_circle({0.2, 0.1}, 0.25, 2.9, 0.5)[0])).norm(),
+  EXPECT_LT((shape.centre - (Eigen::Vector2d(0.2, 0.1) - on_circle({0.2, 0.1}, 0.25, 1.0, 0.5)[0])).norm(),
             1e-4);
 }
 

@@ -1,70 +1,14 @@
-// The layers against a plain second execution that asks every elite for its distance.
-#include <gtest/gtest.h>
-
+// Points, lines and arcs against a plain second execution.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
-#include "models/arm/planar_arm.h"
-#include "pipeline/hierarchy/digit_layer.h"
+#include "pipeline/hierarchy/arc_layer.h"
 #include "pipeline/hierarchy/geometric_median.h"
+#include "tests/pipeline/hierarchy/layers.h"
 
 namespace hbr {
 namespace {
-
-constexpr Frame kFrame{0.63965, 0.256};
-
-int plain_nearest(const Rows& measures, const Eigen::VectorXd& wanted) {
-  int best = 0;
-  const Eigen::VectorXf w = wanted.cast<float>();
-  const auto distance = [&](int i) {
-    float sum = 0;
-    for (Eigen::Index d = 0; d < w.size(); ++d) sum += (measures(i, d) - w[d]) * (measures(i, d) - w[d]);
-    return sum;
-  };
-  for (int i = 1; i < measures.rows(); ++i)
-    if (distance(i) < distance(best)) best = i;
-  return best;
-}
-
-Elites some_elites(int n, int genes, int d, Rng& rng) {
-  Elites e;
-  e.solution = Rows::NullaryExpr(n, genes, [&] { return rng.uniform(); });
-  e.measures = Rows::NullaryExpr(n, d, [&] { return rng.uniform(); });
-  return e;
-}
-
-class Layers : public testing::Test {
- protected:
-  Layers() {
-    Batch batch(400, 8, 2);
-    batch.genome = Rows::NullaryExpr(400, 8, [&] { return rng.uniform(); });
-    PointEvaluator(arm, kFrame, joint_variance, 0).evaluate(batch, 0, 400, Seed(0));
-    point_elites.solution = batch.genome;
-    point_elites.measures = batch.descriptor;
-    line_elites = some_elites(200, 2, 2, rng);
-    arc_elites = some_elites(300, 3, 3, rng);
-  }
-
-  Eigen::Vector2d pen(int elite) const {
-    return kFrame.point(point_elites.measures.row(elite).transpose().cast<double>());
-  }
-  int plain_line_end(int start, const Eigen::Vector2d& displacement) const {
-    return plain_nearest(point_elites.measures, kFrame.point_descriptor(pen(start) + displacement));
-  }
-  Eigen::Vector2d plain_request(const Eigen::Vector2d& wanted) const {
-    const int i = plain_nearest(line_elites.measures, kFrame.line_descriptor(wanted));
-    Eigen::Vector2d d((line_elites.solution(i, 0) - 0.5) * 2 * kFrame.longest_line,
-                      (line_elites.solution(i, 1) - 0.5) * 2 * kFrame.longest_line);
-    if (d.norm() > kFrame.longest_line) d *= kFrame.longest_line / d.norm();
-    return d;
-  }
-
-  Rng rng{Seed(24)};
-  PlanarArm arm{{.0875, .078, .072, .072, .071, .068, .068, .065}, std::numbers::pi / 2};
-  Elites point_elites, line_elites, arc_elites;
-};
 
 TEST_F(Layers, PointsAreWhereTheArmIs) {
   const PointLayer points(point_elites, arm, kFrame);
@@ -93,8 +37,12 @@ TEST_F(Layers, LinesEndAtTheEliteNearestToWhatTheyAskFor) {
     path.assign(1, start);
     line_path(points, start, d, 0.0128, path);
     EXPECT_EQ(path.back(), line_end(points, start, d));
-    EXPECT_EQ(std::adjacent_find(path.begin(), path.end()), path.end());
-    EXPECT_LE(path.size(), 2 + d.norm() / 0.0128);
+    std::vector<std::int32_t> expected{start};
+    int parts = 1;
+    while (d.norm() / parts > 0.0128) ++parts;
+    for (int k = 1; k <= parts; ++k) expected.push_back(plain_line_end(start, d * k / parts));
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+    EXPECT_EQ(path, expected);
   }
 }
 
@@ -169,8 +117,40 @@ TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
       }
       const Median<3> median = geometric_median<3>(descriptors);
       EXPECT_LT((outcome.descriptor - median.point).norm(), 1e-6);
+      EXPECT_NEAR(outcome.uncertainty, median.mean_distance, 1e-6);
       EXPECT_NEAR(outcome.fitness(), fitness[median.nearest], 1e-9);
+
+      Batch batch(3, controller.genes, 3);
+      batch.genome.row(2) = Eigen::RowVectorXf::Map(genome.data(), controller.genes);
+      evaluator.evaluate(batch, 2, 3, Seed(28));
+      Rng row(Seed(28).child(2));
+      const ArcEvaluator::Outcome alone = evaluator.execute(genome.data(), row);
+      EXPECT_EQ(batch.descriptor.row(2).transpose(), alone.descriptor);
+      EXPECT_EQ(batch.uncertainty[2], alone.uncertainty);
+      EXPECT_EQ(batch.fitness[2], static_cast<float>(alone.fitness()));
     }
+  }
+}
+
+TEST_F(Layers, AnArcsWaypointsAreTheEndsOfItsLines) {
+  const PointLayer points(point_elites, arm, kFrame);
+  const LineLayer lines(line_elites, kFrame);
+  for (int i = 0; i < 50; ++i) {
+    ArcLines wanted;
+    for (auto& line : wanted) line = Eigen::Vector2d(rng.uniform(-.2f, .2f), rng.uniform(-.2f, .2f));
+    const int start = static_cast<int>(rng.below(400));
+    const ArcWaypoints waypoints = arc_waypoints(points, lines, wanted, start);
+    const ArcPoints positions = pen_positions(points, waypoints);
+    int at = start;
+    double cost = 0;
+    EXPECT_EQ(waypoints[0], start);
+    for (int k = 0; k < 5; ++k) {
+      at = plain_line_end(at, plain_request(wanted[k]));
+      EXPECT_EQ(waypoints[k + 1], at);
+      EXPECT_LT((positions[k + 1] - pen(at)).norm(), 1e-9);
+      cost += few_joints(points.joints(at), 8) / 5;
+    }
+    EXPECT_NEAR(mean_joint_cost(points, waypoints, few_joints), cost, 1e-12);
   }
 }
 
@@ -184,6 +164,9 @@ TEST_F(Layers, TheTurnControllerAsksForARegularArc) {
   }
   EXPECT_LT(irregularity(ideal), 1e-12);
   EXPECT_NEAR(std::atan2(lines[0].y(), lines[0].x()), (2 * 0.3f - 1) * std::numbers::pi, 1e-9);
+  const double turn =
+      std::atan2(lines[0].x() * lines[1].y() - lines[0].y() * lines[1].x(), lines[0].dot(lines[1]));
+  EXPECT_NEAR(turn, (2 * 0.55f - 1) * std::numbers::pi, 1e-9);
 }
 
 TEST_F(Layers, AFlatArcStartsAtTheStraightArm) {
@@ -207,94 +190,6 @@ TEST_F(Layers, AFlatArcStartsAtTheStraightArm) {
               1e-6);
     EXPECT_NEAR(batch.fitness[i], -(irregularity(drawn) + variance), 1e-4);
   }
-}
-
-// A descriptor that can be worked out by hand: ink in the upper and lower half; the error is the mean.
-class Halves final : public Descriptor {
- public:
-  const Eigen::VectorXf& lower() const override { return lower_; }
-  const Eigen::VectorXf& upper() const override { return upper_; }
-  void describe(Eigen::Index n, const float* images, float* position, float* error) const override {
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const float* image = images + i * kImagePixels;
-      const auto mean = [&](int from, int to) {
-        return std::accumulate(image + from, image + to, 0.0f) / static_cast<float>(to - from);
-      };
-      position[2 * i] = mean(0, kImagePixels / 2);
-      position[2 * i + 1] = mean(kImagePixels / 2, kImagePixels);
-      error[i] = mean(0, kImagePixels);
-    }
-  }
-
- private:
-  Eigen::VectorXf lower_ = Eigen::VectorXf::Zero(2), upper_ = Eigen::VectorXf::Ones(2);
-};
-
-TEST_F(Layers, ADigitIsItsArcsFromItsStart) {
-  const PointLayer points(point_elites, arm, kFrame);
-  const LineLayer lines(line_elites, kFrame);
-  const ArcLayer arcs(arc_elites, kFrame, arc_controller("turn"));
-  const Hierarchy ends(points, lines, arcs, kFrame, 0), whole(points, lines, arcs, kFrame, 0.0128);
-  std::vector<std::int32_t> path, full;
-  for (int i = 0; i < 100; ++i) {
-    const int triplets = 1 + i % 3;
-    std::vector<float> genome(kDigitHead + kMostArcs * kDigitBlock);
-    for (float& g : genome) g = rng.uniform();
-    std::vector<std::int32_t> expected{
-        plain_nearest(point_elites.measures, Eigen::Vector2d(genome[0], genome[1]))};
-    for (int t = 0; t < triplets; ++t) {
-      const int arc = plain_nearest(arc_elites.measures, decode_arc(kFrame, &genome[kDigitHead + 3 * t]));
-      for (const auto& wanted : arc_controller("turn").decode(kFrame, arc_elites.solution.row(arc).data()))
-        expected.push_back(plain_line_end(expected.back(), plain_request(wanted)));
-    }
-    ends.digit_path(genome.data(), kDigitHead + 3 * triplets, path);
-    EXPECT_EQ(path, expected);
-    whole.digit_path(genome.data(), kDigitHead + 3 * triplets, full);
-    EXPECT_EQ(full.front(), path.front());
-    EXPECT_EQ(full.back(), path.back());
-    const Trace trace = whole.trace(full);
-    ASSERT_EQ(trace.points(), static_cast<Eigen::Index>(full.size()));
-    for (std::size_t k = 0; k < full.size(); ++k) {
-      Pen p;
-      arm.pens(1, &trace.joints[8 * k], &p);
-      EXPECT_LT((p.position.cast<float>() - Eigen::Vector2f::Map(&trace.pen[2 * k])).norm(), 1e-6);
-    }
-  }
-}
-
-TEST_F(Layers, DigitsAreJudgedByTheirImages) {
-  const PointLayer points(point_elites, arm, kFrame);
-  const LineLayer lines(line_elites, kFrame);
-  const ArcLayer arcs(arc_elites, kFrame, arc_controller("turn"));
-  const Hierarchy hierarchy(points, lines, arcs, kFrame, 0.0128);
-  const Pencil pencil{Framing::box, 1, 4};
-  const Halves halves;
-  const FlatDigits flat(arm, kFrame, pencil);
-  std::vector<float> image(kImagePixels);
-  const auto check = [&](const Evaluator& evaluator, int head, int block, auto&& draw_row) {
-    Batch whole(12, head + 3 * block, 2);
-    whole.genome = Rows::NullaryExpr(12, head + 3 * block, [&] { return rng.uniform(); });
-    for (int i = 0; i < 12; ++i) whole.length[i] = head + (1 + i % 3) * block;
-    Batch parts = whole;
-    evaluator.evaluate(whole, 0, 12, Seed(0));
-    evaluator.evaluate(parts, 0, 5, Seed(0));
-    evaluator.evaluate(parts, 5, 12, Seed(0));
-    EXPECT_EQ(whole.descriptor, parts.descriptor);
-    EXPECT_EQ(whole.fitness, parts.fitness);
-    for (int i = 0; i < 12; ++i) {
-      draw_row(whole.genome.row(i).data(), whole.length[i], image.data());
-      float position[2], error;
-      halves.describe(1, image.data(), position, &error);
-      EXPECT_GT(error, 0);
-      EXPECT_EQ(whole.fitness[i], -error);
-      EXPECT_EQ(whole.descriptor(i, 0), position[0]);
-      EXPECT_EQ(whole.valid[i], 1);
-    }
-  };
-  check(DigitEvaluator(hierarchy, pencil, halves), kDigitHead, kDigitBlock,
-        [&](const float* g, int n, float* out) { draw_digit(hierarchy, pencil, g, n, out); });
-  check(FlatDigitEvaluator(flat, halves), FlatDigits::kHead, flat.block(),
-        [&](const float* g, int n, float* out) { flat.draw_digit(g, n, out); });
 }
 
 }  // namespace
