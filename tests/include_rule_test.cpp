@@ -1,0 +1,98 @@
+// Who may include whom, and no circles: what keeps the search free of robots and the report free of
+// simulations.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace hbr {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a folder may include besides itself: folders, or all folders of a part of the tree.
+const std::map<std::string, std::vector<std::string>> kMayInclude = {
+    {"pipeline/core", {}},
+    {"pipeline/qd", {"pipeline/core"}},
+    {"pipeline/drawing", {"pipeline/core"}},
+    {"pipeline/hierarchy", {"pipeline/core", "pipeline/qd", "pipeline/drawing"}},
+    {"pipeline/artifact", {"pipeline/core", "pipeline/qd"}},
+    {"pipeline/statistics", {"pipeline/core", "pipeline/artifact"}},
+    {"models", {"pipeline", "models"}},
+    {"reports", {"pipeline/core", "pipeline/artifact", "pipeline/statistics"}},
+    {"stages", {"pipeline", "models", "reports"}},
+};
+
+std::string first_part(const fs::path& path) { return path.begin()->string(); }
+
+// "pipeline/qd" of "pipeline/qd/search.h", "reports" of "reports/svg.h".
+std::string folder_of(const fs::path& file) {
+  const std::string part = first_part(file);
+  return part == "pipeline" || part == "models" ? (part / *std::next(file.begin())).string() : part;
+}
+
+struct Include {
+  fs::path file, included;
+  int line;
+};
+
+std::vector<Include> all_includes() {
+  std::vector<Include> all;
+  for (const char* part : {"pipeline", "models", "reports", "stages"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(HBR_SOURCE_DIR) / part)) {
+      const std::string ending = entry.path().extension();
+      if (ending != ".h" && ending != ".cpp" && ending != ".in") continue;
+      std::ifstream file(entry.path());
+      int number = 0;
+      for (std::string line; std::getline(file, line);) {
+        ++number;
+        const std::size_t begin = line.find('"');
+        if (!line.starts_with("#include") || begin == std::string::npos) continue;
+        all.push_back({entry.path().lexically_relative(HBR_SOURCE_DIR),
+                       line.substr(begin + 1, line.rfind('"') - begin - 1), number});
+      }
+    }
+  return all;
+}
+
+bool allowed(const std::string& from, const std::string& to) {
+  const auto rule = kMayInclude.find(kMayInclude.contains(from) ? from : first_part(from));
+  return from == to ||
+         (rule != kMayInclude.end() && std::ranges::any_of(rule->second, [&](const std::string& may) {
+            return to == may || to.starts_with(may + "/");
+          }));
+}
+
+TEST(IncludeRule, EveryIncludeIsAllowed) {
+  const std::vector<Include> includes = all_includes();
+  EXPECT_GT(includes.size(), 300u);
+  for (const auto& [file, included, line] : includes) {
+    EXPECT_TRUE(fs::exists(HBR_SOURCE_DIR / included))
+        << file << ":" << line << " includes " << included << ", which is not named by its path";
+    EXPECT_TRUE(allowed(folder_of(file), folder_of(included)))
+        << file << ":" << line << ": " << folder_of(file) << " may not include " << included;
+  }
+}
+
+TEST(IncludeRule, FoldersFormNoCircle) {
+  std::map<std::string, std::set<std::string>> uses;
+  for (const auto& [file, included, line] : all_includes()) {
+    uses[folder_of(included)];
+    if (folder_of(file) != folder_of(included)) uses[folder_of(file)].insert(folder_of(included));
+  }
+  while (std::erase_if(uses, [&](const auto& folder) {
+    return std::ranges::none_of(folder.second, [&](const std::string& used) { return uses.contains(used); });
+  }))
+    ;
+  std::string circle;
+  for (const auto& [folder, used] : uses) circle += " " + folder;
+  EXPECT_EQ(circle, "");
+}
+
+}  // namespace
+}  // namespace hbr
