@@ -18,8 +18,9 @@ constexpr double kLeft = 46, kTop = 26;
 
 Axis make_axis(double low, double high, const std::string& unit, bool from_zero) {
   if (from_zero) low = std::min(low, 0.0), high = std::max(high, 0.0);
+  if (low == 0 && high == 0) high = 1;  // nothing but zeros
   double span = high - low;
-  if (span <= 0) span = std::max(std::abs(high) * 0.2, 1e-12);
+  if (span <= 0) span = std::abs(high) * 0.2;
   if (!from_zero || low < 0) low -= 0.05 * span;
   if (!from_zero || high > 0) high += 0.05 * span;
   Axis axis{low, high, 1, unit};

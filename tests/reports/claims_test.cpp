@@ -107,6 +107,25 @@ TEST(Claims, SignificanceIsAskedForBesides) {
   EXPECT_EQ(evaluate_one(file, overlapping)["verdict"], "partly");
 }
 
+TEST(Claims, TheFloorOfTheTestIsReachedByCompleteSeparationOnly) {
+  TemporaryFolder folder;
+  const auto file =
+      claim_file(folder, check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "7.1e-18"));
+  EXPECT_EQ(evaluate_one(file, accuracies(5))["verdict"], "reproduced");
+  json overlapping = accuracies(5);
+  overlapping["quantities"]["accuracy.n1"]["values"][0] = 0;
+  EXPECT_EQ(evaluate_one(file, overlapping)["verdict"], "partly");
+}
+
+TEST(Claims, TheEndsOfARangeBelongToIt) {
+  TemporaryFolder folder;
+  const json statistics = accuracies(2, 500);  // median 10.25
+  for (const char* range : {"[10.25, 11]", "[10, 10.25]"})
+    EXPECT_EQ(evaluate_one(claim_file(folder, check("value", "accuracy.n1", "", range, "[0]")),
+                           statistics)["verdict"],
+              "reproduced");
+}
+
 TEST(Claims, ASmallRunIsNotDecidedButIndicates) {
   TemporaryFolder folder;
   const auto file =

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "models/autoencoder/autoencoder.h"
 #include "models/autoencoder/gradient.h"
 #include "tests/models/autoencoder/images.h"
@@ -54,6 +56,31 @@ TEST(Network, ForwardAgreesWithTheReference) {
         EXPECT_NEAR(error[static_cast<std::size_t>(i)], expected.error, 1e-6);
       }
     }
+}
+
+// He et al. 2015: variance 2 / ((1 + leak^2) inputs) before a leaky rectifier, 1 / inputs elsewhere.
+TEST(Network, StartsWithWeightsThatKeepTheSizeOfSignals) {
+  net::Network network(2, 0.1f);
+  network.initialise(Seed(8), -1.5f);
+  std::set<float> first;
+  for (std::size_t l = 0; l < network.layout.layers.size(); ++l) {
+    const net::Layer& layer = network.layout.layers[l];
+    const bool plain = l == net::kLatent || l == net::kOutput;
+    const double expected = (plain ? 1 : 2 / 1.01) / static_cast<double>(layer.inputs);
+    double squares = 0, n = 0;
+    for (net::Index i = 0; i < layer.inputs; ++i)
+      for (net::Index o = 0; o < layer.outputs; ++o, ++n)
+        squares +=
+            std::pow(network.parameters[static_cast<std::size_t>(layer.kernel + i * layer.stride + o)], 2);
+    // A uniform square's variance is 4/5 of its squared mean.
+    EXPECT_NEAR(squares / n / expected, 1, 5 * std::sqrt(0.8 / n)) << layer.name;
+    first.insert(network.parameters[static_cast<std::size_t>(layer.kernel)] /
+                 static_cast<float>(std::sqrt(expected)));
+    for (net::Index o = 0; o < layer.outputs; ++o)
+      EXPECT_EQ(network.parameters[static_cast<std::size_t>(layer.bias + o)],
+                l == net::kOutput ? -1.5f : 0.f);
+  }
+  EXPECT_EQ(first.size(), network.layout.layers.size());  // no two layers with the same numbers
 }
 
 TEST(Network, SubpixelConvolutionIsUnpoolingThenConvolution) {

@@ -8,6 +8,7 @@
 
 #include "models/autoencoder/adam.h"
 #include "models/autoencoder/collapse.h"
+#include "models/autoencoder/gradient.h"
 #include "pipeline/core/check.h"
 #include "tests/models/autoencoder/images.h"
 
@@ -61,18 +62,77 @@ TEST(Trainer, LearnsAFewImages) {
   EXPECT_THAT(trained.kept_per_class, testing::Each(1.));
 }
 
+// Adam's first step is the rate against the sign of every gradient, whatever its size.
+TEST(Trainer, TheFirstStepGoesDownEveryGradient) {
+  const Set train(30, 1), test(10, 2);
+  AutoencoderSettings settings = small(1);
+  Workers workers(1);
+  std::vector<net::Floats> found;
+  for (const int batch : {30, 40}) {  // a batch is no larger than the set
+    settings.batch = batch;
+    const auto trained = train_autoencoder(settings, Seed(1), train.set(), test.set(), workers);
+    found.push_back(trained.autoencoder.network().parameters);
+  }
+  EXPECT_EQ(found[0], found[1]);
+
+  net::Network network(settings.latent_size, static_cast<float>(settings.leak));
+  network.initialise(Seed(1), static_cast<float>(settings.output_bias));
+  std::vector<const std::uint8_t*> rows;
+  for (std::size_t i = 0; i < 30; ++i) rows.push_back(train.pixels.data() + i * 784);
+  net::GradientSlot slot(network.layout);
+  slot.add(network, 30, rows.data(), 1.f / 30);
+  net::fold_subpixel(network.layout, slot.gradient().data());
+  for (const net::Layer& l : network.layout.layers)
+    for (net::Index k = 0; k < l.inputs * l.stride; ++k) {
+      const auto i = static_cast<std::size_t>(l.kernel + k);
+      const float g = slot.gradient()[i];
+      if (std::abs(g) < 1e-6f) continue;
+      ASSERT_NEAR(found[0][i] - network.parameters[i], g > 0 ? -1e-3 : 1e-3, 2e-5) << l.name;
+    }
+}
+
+TEST(Trainer, TheRateIsHalvedAfterItsEpochs) {
+  const Set train(60, 1), test(10, 2);
+  Workers workers(1);
+  const auto trained = [&](int epochs, int halve_every) {
+    AutoencoderSettings settings = small(epochs);
+    settings.halve_every = halve_every;
+    return train_autoencoder(settings, Seed(1), train.set(), test.set(), workers)
+        .autoencoder.network()
+        .parameters;
+  };
+  EXPECT_EQ(trained(1, 1), trained(1, 9));
+  EXPECT_NE(trained(2, 1), trained(2, 9));
+  EXPECT_EQ(trained(2, 2), trained(2, 9));
+}
+
+// In the order of the set, two neighbours would share every batch and changing their places would change
+// little but rounding.
+TEST(Trainer, BatchesAreShuffled) {
+  const Set train(60, 1), test(10, 2);
+  Set swapped = train;
+  std::swap_ranges(swapped.pixels.begin(), swapped.pixels.begin() + 784, swapped.pixels.begin() + 784);
+  AutoencoderSettings settings = small(1);
+  settings.batch = 10;
+  Workers workers(1);
+  const auto a = train_autoencoder(settings, Seed(1), train.set(), test.set(), workers);
+  const auto b = train_autoencoder(settings, Seed(1), swapped.set(), test.set(), workers);
+  EXPECT_GT(std::abs(a.epochs[0].train_error / b.epochs[0].train_error - 1), 1e-4);
+}
+
 TEST(Trainer, ThreadsLeaveNoTrace) {
   const Set train(130, 1), test(40, 2);
-  Workers one(1), three(3);
-  const auto a = train_autoencoder(small(3), Seed(1), train.set(), test.set(), one);
-  const auto b = train_autoencoder(small(3), Seed(1), train.set(), test.set(), three);
+  const auto trained = [&](std::uint64_t seed, int threads) {
+    Workers workers(threads);  // the fewest alive count for all
+    return train_autoencoder(small(3), Seed(seed), train.set(), test.set(), workers);
+  };
+  const auto a = trained(1, 1), b = trained(1, 3);
   EXPECT_EQ(a.autoencoder.network().parameters, b.autoencoder.network().parameters);
   for (std::size_t e = 0; e < 3; ++e) {
     EXPECT_EQ(a.epochs[e].train_error, b.epochs[e].train_error);
     EXPECT_EQ(a.epochs[e].test_error, b.epochs[e].test_error);
   }
-  const auto other = train_autoencoder(small(3), Seed(2), train.set(), test.set(), one);
-  EXPECT_NE(a.autoencoder.network().parameters, other.autoencoder.network().parameters);
+  EXPECT_NE(a.autoencoder.network().parameters, trained(2, 1).autoencoder.network().parameters);
 }
 
 TEST(Trainer, GoesOnFromACheckpointToTheSameBytes) {
@@ -167,6 +227,12 @@ TEST(Trainer, RefusesWhatCannotBeLearned) {
   settings.learning_rate = 1;
   EXPECT_THAT(failure(settings, train.set(), test.set()),
               testing::AnyOf(HasSubstr("collapsed"), HasSubstr("diverged")));
+  const Set few(8, 1), fewer(2, 2);
+  settings = small(1001);
+  settings.batch = 8;
+  settings.learning_rate = 1e-8;
+  EXPECT_THAT(failure(settings, few.set(), fewer.set()),
+              HasSubstr("epoch 1000: the autoencoder collapsed: its error"));
   Set labels(100, 1);
   labels.labels[7] = 10;
   EXPECT_THAT(failure(small(1), labels.set(), test.set()),

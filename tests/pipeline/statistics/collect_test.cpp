@@ -135,6 +135,18 @@ TEST(Collect, TransferWithoutItsOutliers) {
   EXPECT_FLOAT_EQ(found["boxes"]["transfer.nao.absolute"]["max"].get<float>(), 8.0f);
 }
 
+TEST(Collect, TransferCountsOutliersAboveOnly) {
+  TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "t.h5";
+  Hdf5Writer file(path);
+  for (const char* name : {"absolute", "squared"})
+    file.write(name, std::vector<float>{0, 1, 1.01f, 1.02f, 1.03f, 1.04f, 1.05f, 5});
+  file.close();
+  const json found = collect_statistics("tiny", {{"nao_transfer/00.h5", path}})["numbers"];
+  EXPECT_EQ(found["transfer.nao.absolute_outliers"]["value"], 12.5);
+  EXPECT_NEAR(found["transfer.nao.absolute_low"]["value"].get<double>(), 100, 1e-4);
+}
+
 // Measures of the drawings against their definitions, pair by pair.
 TEST(Collect, DigitsAgainstTheirDefinitions) {
   TemporaryFolder folder;
