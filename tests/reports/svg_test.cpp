@@ -64,5 +64,14 @@ TEST(Plot, AxisTakesOutPowersOfTen) {
   EXPECT_EQ(d.width, 400);
 }
 
+TEST(Plot, NothingButZerosCanBeDrawn) {
+  for (const bool from_zero : {true, false})
+    EXPECT_NO_THROW(draw(BoxPlot{.unit = "%",
+                                 .boxes = {{"a", Colour::blue, box({0, 0, 0}, "values"), {0, 0, 0}}},
+                                 .brackets = {},
+                                 .from_zero = from_zero},
+                         "p"));
+}
+
 }  // namespace
 }  // namespace hbr
