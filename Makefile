@@ -65,8 +65,11 @@ build/$(1)/build.ninja: | build/.packages
 endef
 $(foreach preset,release sanitize coverage,$(eval $(call configure,$(preset))))
 
+# compile(preset, target), without a word when there is nothing to do.
+compile = cmake --build build/$(1) --target $(2) -- --quiet | { grep -v '^ninja: no work to do' || true; }
+
 build: build/.packages build/release/build.ninja
-	@cmake --build build/release --target programs -- --quiet
+	@$(call compile,release,programs)
 
 # The experiment -------------------------------------------------------------------------------------------------
 
@@ -94,7 +97,7 @@ graph: build
 # Tests and checks -----------------------------------------------------------------------------------------------
 
 # run_tests(preset): all tests; CTest's summary stands last.
-run_tests = @cmake --build build/$(1) -- --quiet && ctest --test-dir build/$(1) --output-on-failure --parallel $$(nproc)
+run_tests = @$(call compile,$(1),all) && ctest --test-dir build/$(1) --output-on-failure --parallel $$(nproc)
 
 test: build/.packages build/release/build.ninja
 	$(call run_tests,release)
@@ -113,7 +116,7 @@ coverage: build/.packages build/coverage/build.ninja
 	@lcov --summary build/coverage/own.info
 
 bench: build/.packages build/release/build.ninja
-	@cmake --build build/release -- --quiet
+	@$(call compile,release,all)
 	@for bench in $(programs)/bench_*; do "$$bench"; done
 
 format:

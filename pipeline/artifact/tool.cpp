@@ -118,8 +118,10 @@ int make(Arguments& arguments, const Graph& graph, const Graph& all) {
     if (freshness[i].state != State::fresh) write_slice(arguments.workspace.out, graph[i]);
   const fs::path plan = arguments.workspace.out / ".plan/plan.mk";
   write_whole(plan, plan_for_make(graph, freshness));
-  fmt::print("{}: {} of {} artifacts to make, {} threads each\n", arguments.workspace.out.string(), stale,
-             graph.size(), threads_of_stage(arguments.threads));
+  const int threads = threads_of_stage(arguments.threads);
+  fmt::print("{}: {} of {} artifacts to make, {} to a stage program\n", arguments.workspace.out.string(),
+             stale, graph.size(),
+             threads == 1 ? std::string("one thread") : fmt::format("{} threads", threads));
   std::fflush(stdout);
 
   set("HBR_TOOL", fs::read_symlink("/proc/self/exe").string());
