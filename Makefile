@@ -65,8 +65,9 @@ build/$(1)/build.ninja: | build/.packages
 endef
 $(foreach preset,release sanitize coverage,$(eval $(call configure,$(preset))))
 
-# compile(preset, target), without a word when there is nothing to do.
-compile = cmake --build build/$(1) --target $(2) -- --quiet | { grep -v '^ninja: no work to do' || true; }
+# compile(preset, target): Ninja tells its steps, and nothing where there are none.
+idle := ^ninja: (no work|Entering)|Re-checking globbed
+compile = cmake --build build/$(1) --target $(2) | { grep --line-buffered -vE '$(idle)' || true; }
 
 build: build/.packages build/release/build.ninja
 	@$(call compile,release,programs)

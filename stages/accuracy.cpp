@@ -74,8 +74,7 @@ void run(hbr::StageRun& stage) {
 
   hbr::Workers workers(stage.threads());
   hbr::Hdf5Writer file(stage.output());
-  file.attribute("stage", stage.stage());
-  file.attribute("settings", stage.settings_text());
+  stage.write_settings(file);
   const auto judge = [&](const std::string& contender, auto&& answer) {
     std::vector<float> squared_error(requests.size());
     workers.for_ranges(requests.size(), 256, [&](std::size_t begin, std::size_t end) {

@@ -15,8 +15,7 @@ void run(hbr::StageRun& stage) {
 
   hbr::Workers workers(stage.threads());
   hbr::Hdf5Writer file(stage.output());
-  file.attribute("stage", stage.stage());
-  file.attribute("settings", stage.settings_text());
+  stage.write_settings(file);
   for (const hbr::ArcVariantTable& variant : s.variants) {
     const hbr::Elites elites = hbr::read_elites(stage.input("layer3_" + variant.name));
     const hbr::ArcEvaluator once(points, lines, frame, hbr::arc_controller(variant.controller), 1);

@@ -106,8 +106,7 @@ void run(StageRun& stage) {
       train_autoencoder(settings.training, seed, train.set(), test.set(), workers, hooks);
 
   Hdf5Writer file(stage.output());
-  file.attribute("stage", stage.stage());
-  file.attribute("settings", stage.settings_text());
+  stage.write_settings(file);
   write_autoencoder(file, trained.autoencoder);
   write_course(file, trained);
   write_latent(file, trained.autoencoder, test.set(), workers);

@@ -83,8 +83,7 @@ void evolve(StageRun& stage, const SearchTable& table, const Variation& variatio
   if (variation.fixed_length()) elites.length.clear();
   Hdf5Writer file(stage.output());
   write_elites(file, elites, search.progress());
-  file.attribute("stage", stage.stage());
-  file.attribute("settings", stage.settings_text());
+  stage.write_settings(file);
   if (more) more(file, elites);
   file.close();
 }

@@ -56,8 +56,7 @@ void run(StageRun& stage) {
   const std::vector<double> distances = distances_to_reach(robot, whole, points, workers);
 
   Hdf5Writer file(stage.output());
-  file.attribute("stage", stage.stage());
-  file.attribute("settings", stage.settings_text());
+  stage.write_settings(file);
   const double covered = write_plane(file, plane, points, distances, settings.robot.off_plane_tolerance);
   file.close();
   fmt::print(stderr, "{} reaches {:.2f} % of the arm's {} points\n", robot.name(), 100 * covered,

@@ -72,8 +72,7 @@ void run(hbr::StageRun& stage) {
 
   const std::vector<std::size_t> images{n, hbr::kImageSide, hbr::kImageSide};
   hbr::Hdf5Writer file(stage.output());
-  file.attribute("stage", stage.stage());
-  file.attribute("settings", stage.settings_text());
+  stage.write_settings(file);
   file.attribute("framing", s.pencil.framing);
   file.write("id", digits.id);
   file.write("arm", images, arm_images.data());

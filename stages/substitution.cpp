@@ -23,8 +23,7 @@ void run(hbr::StageRun& stage) {
 
   hbr::Workers workers(stage.threads());
   hbr::Hdf5Writer file(stage.output());
-  file.attribute("stage", stage.stage());
-  file.attribute("settings", stage.settings_text());
+  stage.write_settings(file);
   for (const char* layer : {"original", "substitute"}) {
     const hbr::PointLayer points = hbr::read_points(stage, layer, arm, frame);
     const hbr::ArcEvaluator evaluator(points, lines, frame, hbr::arc_controller(s.variant.controller),

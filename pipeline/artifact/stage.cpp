@@ -8,6 +8,21 @@
 #include "pipeline/core/check.h"
 
 namespace hbr {
+namespace {
+
+// One attribute for each value of a table, a list as JSON.
+void write_values(Hdf5Writer& file, const std::string& name, const nlohmann::json& value) {
+  if (value.is_object())
+    for (const auto& [key, inner] : value.items()) write_values(file, name + "." + key, inner);
+  else if (value.is_number_float())
+    file.attribute(name, value.get<double>());
+  else if (value.is_number() || value.is_boolean())
+    file.attribute(name, value.get<std::int64_t>());
+  else
+    file.attribute(name, value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+}  // namespace
 
 StageRun::StageRun(const std::filesystem::path& slice, std::filesystem::path root,
                    std::filesystem::path output, std::filesystem::path checkpoint, int threads)
@@ -49,6 +64,12 @@ std::vector<std::string> StageRun::inputs() const {
   std::vector<std::string> names;
   for (const auto& [name, path] : inputs_.items()) names.push_back(name);
   return names;
+}
+
+void StageRun::write_settings(Hdf5Writer& file) const {
+  file.attribute("stage", stage_);
+  file.attribute("settings", settings_.dump());
+  write_values(file, "settings", settings_);
 }
 
 void StageRun::progress(std::int64_t done, std::int64_t total, const char* unit) {

@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/settings.h"
 
 namespace hbr {
@@ -39,8 +40,9 @@ class StageRun {
   S settings_as() const {
     return settings_from_json<S>(settings_, slice_.string());
   }
-  // The slice as text, to be kept as an attribute of the artifact.
-  std::string settings_text() const { return settings_.dump(); }
+  // Keeps them as attributes of the artifact: `stage`, `settings` (JSON), and each value as `settings.` and
+  // its dotted name.
+  void write_settings(Hdf5Writer& file) const;
 
   // The artifact of that name; throws InputError where the slice or the disk has none.
   std::filesystem::path input(const std::string& name) const;

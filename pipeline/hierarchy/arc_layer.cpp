@@ -33,14 +33,6 @@ ArcController arc_controller(const std::string& name) {
   throw InputError("arc controller '{}': expected lines or turn", name);
 }
 
-ArcWaypoints arc_waypoints(const PointLayer& points, const LineLayer& lines, const ArcLines& wanted,
-                           std::int32_t start) {
-  ArcWaypoints waypoints{start};
-  for (int i = 0; i < kArcSegments; ++i)
-    waypoints[i + 1] = line_end(points, waypoints[i], lines.request(wanted[i]));
-  return waypoints;
-}
-
 ArcPoints pen_positions(const PointLayer& points, const ArcWaypoints& waypoints) {
   ArcPoints positions;
   for (std::size_t i = 0; i < waypoints.size(); ++i) positions[i] = points.position(waypoints[i]);

@@ -22,10 +22,9 @@ struct ArcController {
 // segments.
 ArcController arc_controller(const std::string& name);
 
-// The layer-1 elites at the six way-points of an arc executed through layers 2 and 1 from the elite `start`.
+// The layer-1 elites at the six way-points of an arc executed through layers 2 and 1, and where their pens
+// are.
 using ArcWaypoints = std::array<std::int32_t, kArcSegments + 1>;
-ArcWaypoints arc_waypoints(const PointLayer& points, const LineLayer& lines, const ArcLines& wanted,
-                           std::int32_t start);
 ArcPoints pen_positions(const PointLayer& points, const ArcWaypoints& waypoints);
 
 // Mean over the five way-points after the start of a cost of the elites' joints, rad^2 (J with

@@ -66,7 +66,7 @@ TEST_F(Stage, HandsOverSettingsInputsAndPlaces) {
     EXPECT_EQ(stage.stage(), "lines");
     EXPECT_EQ(stage.name(), "lines/00");
     EXPECT_EQ(stage.settings_as<Points>().count, 7);
-    EXPECT_EQ(stage.settings_text(), R"({"count":7})");
+    EXPECT_EQ(stage.settings().dump(), R"({"count":7})");
     EXPECT_EQ(stage.input("points"), folder_ / "layer1/00.h5");
     EXPECT_THAT(stage.inputs(), ElementsAre("lost", "points"));
     EXPECT_TRUE(stage.has_input("lost"));
@@ -105,6 +105,25 @@ TEST(StageCommandLine, AsksForWhatIsMissing) {
   testing::internal::CaptureStderr();
   EXPECT_NE(stage_main(1, argv, "Lines", [](StageRun&) { FAIL(); }), 0);
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("--root is required"));
+}
+
+TEST_F(Stage, SettingsBecomeAttributes) {
+  slice(R"({"stage": "lines", "name": "lines/00", "inputs": {}, "output": "lines/00.h5", "settings":
+            {"seed": 7, "archive": {"spacing": 0.25, "selector": "uniform"}, "links": [1.5, 2], "flat": true}})");
+  const auto [code, text] = main([](StageRun& stage) {
+    Hdf5Writer file(stage.output());
+    stage.write_settings(file);
+    file.close();
+  });
+  ASSERT_EQ(code, 0) << text;
+  const Hdf5Reader file(folder_ / "out.tmp");
+  EXPECT_EQ(file.text_attribute("stage"), "lines");
+  EXPECT_EQ(file.number_attribute("settings.seed"), 7);
+  EXPECT_EQ(file.number_attribute("settings.archive.spacing"), 0.25);
+  EXPECT_EQ(file.text_attribute("settings.archive.selector"), "uniform");
+  EXPECT_EQ(file.text_attribute("settings.links"), "[1.5,2]");
+  EXPECT_EQ(file.number_attribute("settings.flat"), 1);
+  EXPECT_EQ(nlohmann::json::parse(file.text_attribute("settings")).at("archive").at("spacing"), 0.25);
 }
 
 }  // namespace

@@ -135,11 +135,15 @@ TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
 TEST_F(Layers, AnArcsWaypointsAreTheEndsOfItsLines) {
   const PointLayer points(point_elites, arm, kFrame);
   const LineLayer lines(line_elites, kFrame);
+  const ArcController controller = arc_controller("lines");
+  const ArcEvaluator once(points, lines, kFrame, controller, 1);
   for (int i = 0; i < 50; ++i) {
-    ArcLines wanted;
-    for (auto& line : wanted) line = Eigen::Vector2d(rng.uniform(-.2f, .2f), rng.uniform(-.2f, .2f));
-    const int start = static_cast<int>(rng.below(400));
-    const ArcWaypoints waypoints = arc_waypoints(points, lines, wanted, start);
+    float genome[10];
+    for (float& g : genome) g = rng.uniform();
+    const ArcLines wanted = controller.decode(kFrame, genome);
+    const int start = static_cast<int>(Rng(Seed(30).child(i)).below(400));
+    Rng execution(Seed(30).child(i));
+    const ArcWaypoints waypoints = once.execute(genome, execution).waypoints;
     const ArcPoints positions = pen_positions(points, waypoints);
     int at = start;
     double cost = 0;
