@@ -16,7 +16,9 @@ void write_values(Hdf5Writer& file, const std::string& name, const nlohmann::jso
     for (const auto& [key, inner] : value.items()) write_values(file, name + "." + key, inner);
   else if (value.is_number_float())
     file.attribute(name, value.get<double>());
-  else if (value.is_number() || value.is_boolean())
+  else if (value.is_boolean())
+    file.attribute(name, std::int64_t{value.get<bool>()});
+  else if (value.is_number())
     file.attribute(name, value.get<std::int64_t>());
   else
     file.attribute(name, value.is_string() ? value.get<std::string>() : value.dump());
