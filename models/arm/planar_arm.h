@@ -10,7 +10,7 @@ namespace hbr {
 class PlanarArm final : public Robot {
  public:
   // links: lengths in metres, base first; every joint turns in [-limit, limit] rad from the link before it, 0
-  // is straight along +x.
+  // is straight along +x. Joints of up to 1e9 rad have a meaning, within 1e-16 x their size in rad.
   PlanarArm(const std::vector<double>& links, double limit);
 
   std::string name() const override { return "arm"; }
