@@ -1,0 +1,80 @@
+// Layer 3: arcs through the finished layers 2 and 1, the flat baseline, whole runs.
+#include "pipeline/hierarchy/arc_layer.h"
+
+#include <benchmark/benchmark.h>
+
+#include "tests/support/evolved_layers.h"
+#include "tests/support/naive_layers.h"
+
+namespace hbr {
+namespace {
+
+const ArcController& controller() {
+  static const ArcController lines = arc_controller("lines");
+  return lines;
+}
+
+// An item is an arc drawn from one start: five lines, its metrics, its share of the median and of the
+// fitness.
+void draw_arcs(benchmark::State& state, const Evaluator& evaluator, int n, int genes, int starts) {
+  Batch batch(n, genes, 3);
+  Rng rng(Seed(10));
+  batch.genome = Rows::NullaryExpr(n, genes, [&] { return rng.uniform(); });
+  std::uint64_t generation = 0;
+  for (auto _ : state) {
+    evaluator.evaluate(batch, 0, n, Seed(11).child(generation++));
+    benchmark::DoNotOptimize(batch.descriptor.data());
+  }
+  state.SetItemsProcessed(state.iterations() * n * starts);
+}
+
+void arc(benchmark::State& state) {
+  const EvolvedLayers& layers = evolved_layers();
+  const auto starts = static_cast<int>(state.range(0));
+  draw_arcs(state, ArcEvaluator(layers.points, layers.lines, kFrame, controller(), starts), kBatch,
+            controller().genes, starts);
+}
+BENCHMARK(arc)->Arg(1)->Arg(10)->Arg(100);
+
+void arc_naive(benchmark::State& state) {
+  const EvolvedLayers& layers = evolved_layers();
+  const auto starts = static_cast<int>(state.range(0));
+  const NaiveHierarchy hierarchy(layers.point_elites, layers.line_elites, layers.arm, kFrame);
+  draw_arcs(state, NaiveArcEvaluator(hierarchy, controller(), starts), 5, controller().genes, starts);
+}
+BENCHMARK(arc_naive)->Arg(1)->Arg(10)->Arg(100);
+
+template <class Arm>
+void flat_arc(benchmark::State& state) {
+  const Arm arm(kLinks, kJointLimit);
+  const FlatArcEvaluator evaluator(arm, kFrame);
+  draw_arcs(state, evaluator, kBatch, evaluator.genes(), 1);
+}
+BENCHMARK(flat_arc<PlanarArm>)->Name("flat_arc");
+BENCHMARK(flat_arc<NaiveArm>)->Name("flat_arc_naive");
+
+void whole_run(benchmark::State& state, const Evaluator& evaluator, int genes) {
+  constexpr std::int64_t kGenerations = 1000;
+  Elites elites;
+  for (auto _ : state) elites = evolved<FastParts>(evaluator, genes, kArcArchive, kGenerations, Seed(12));
+  state.SetItemsProcessed(state.iterations() * kGenerations * kBatch);
+  state.counters["elites"] = static_cast<double>(elites.size());
+  state.counters["mean_fitness"] = elites.objective.mean();
+}
+
+void layer3(benchmark::State& state) {
+  const EvolvedLayers& layers = evolved_layers();
+  const auto starts = static_cast<int>(state.range(0));
+  whole_run(state, ArcEvaluator(layers.points, layers.lines, kFrame, controller(), starts),
+            controller().genes);
+}
+BENCHMARK(layer3)->Arg(1)->Arg(10)->Arg(100)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+void flat_arcs(benchmark::State& state) {
+  const FlatArcEvaluator evaluator(evolved_layers().arm, kFrame);
+  whole_run(state, evaluator, evaluator.genes());
+}
+BENCHMARK(flat_arcs)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace hbr

@@ -1,0 +1,62 @@
+// Layer 2: lines through the finished layer 1, whole runs.
+#include "pipeline/hierarchy/line_layer.h"
+
+#include <benchmark/benchmark.h>
+
+#include "tests/support/evolved_layers.h"
+#include "tests/support/naive_layers.h"
+
+namespace hbr {
+namespace {
+
+Rows random_genomes(int n, int genes) {
+  Rng rng(Seed(7));
+  return Rows::NullaryExpr(n, genes, [&] { return rng.uniform(); });
+}
+
+// An item is a line drawn from one start, its share of the median included.
+void draw_lines(benchmark::State& state, const Evaluator& evaluator, int n) {
+  Batch batch(n, 2, 2);
+  batch.genome = random_genomes(n, 2);
+  std::uint64_t generation = 0;
+  for (auto _ : state) {
+    evaluator.evaluate(batch, 0, n, Seed(8).child(generation++));
+    benchmark::DoNotOptimize(batch.descriptor.data());
+  }
+  state.SetItemsProcessed(state.iterations() * n * state.range(0));
+}
+
+void line(benchmark::State& state) {
+  const LineEvaluator evaluator(evolved_layers().points, kFrame, static_cast<int>(state.range(0)));
+  draw_lines(state, evaluator, kBatch);
+}
+BENCHMARK(line)->Arg(1)->Arg(10)->Arg(100);
+
+void line_naive(benchmark::State& state) {
+  const EvolvedLayers& layers = evolved_layers();
+  const NaiveHierarchy hierarchy(layers.point_elites, layers.line_elites, layers.arm, kFrame);
+  const NaiveLineEvaluator evaluator(hierarchy, static_cast<int>(state.range(0)));
+  draw_lines(state, evaluator, 10);
+}
+BENCHMARK(line_naive)->Arg(1)->Arg(10)->Arg(100);
+
+void whole_run(benchmark::State& state, const Evaluator& evaluator) {
+  constexpr std::int64_t kGenerations = 1000;
+  Elites elites;
+  for (auto _ : state) elites = evolved<FastParts>(evaluator, 2, kLineArchive, kGenerations, Seed(9));
+  state.SetItemsProcessed(state.iterations() * kGenerations * kBatch);
+  state.counters["elites"] = static_cast<double>(elites.size());
+}
+
+void layer2(benchmark::State& state) {
+  whole_run(state, LineEvaluator(evolved_layers().points, kFrame, static_cast<int>(state.range(0))));
+}
+BENCHMARK(layer2)->Arg(1)->Arg(10)->Arg(100)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+void reference4d(benchmark::State& state) {
+  whole_run(state, LineFromStartEvaluator(evolved_layers().points, kFrame));
+}
+BENCHMARK(reference4d)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace hbr
