@@ -6,8 +6,10 @@
 #include <numeric>
 
 #include "pipeline/core/parallel.h"
+#include "pipeline/qd/cvt_archive.h"
 #include "pipeline/qd/distance_archive.h"
 #include "pipeline/qd/grid_archive.h"
+#include "pipeline/qd/score_selectors.h"
 #include "pipeline/qd/search.h"
 
 namespace hbr {
@@ -15,17 +17,26 @@ namespace {
 
 constexpr std::chrono::seconds kCheckpointEvery{20};
 
-std::unique_ptr<Repertoire> make_repertoire(const SearchTable& t, int genes, int size,
-                                            DescriptorRange range) {
+std::unique_ptr<Repertoire> make_repertoire(const SearchTable& t, int genes, int size, DescriptorRange range,
+                                            Seed seed) {
   if (t.container == "grid")
     return std::make_unique<GridArchive>(genes, size, t.grid_cells, range.low, range.high);
+  if (t.container == "cvt")
+    return make_cvt_archive(genes,
+                            cvt_centroids(t.cvt_cells, size, range.low, range.high, seed.child("centroids")),
+                            range.low, range.high);
   return make_distance_archive(
       genes, size,
-      {static_cast<float>(t.spacing), static_cast<float>(t.epsilon), t.neighbours, range.low, range.high});
+      {static_cast<float>(t.spacing), static_cast<float>(t.epsilon), t.neighbours, range.low, range.high,
+       t.container == "local_competition" ? Contest::kFitness : Contest::kDominance});
 }
 
-std::unique_ptr<Selector> make_selector(const SearchTable& t) {
+std::unique_ptr<Selector> make_selector(const SearchTable& t, int size, DescriptorRange range) {
+  const auto scores = [&] { return make_local_scores(size, t.neighbours, range.low, range.high); };
   if (t.selector == "uniform") return std::make_unique<UniformSelector>();
+  if (t.selector == "fitness") return std::make_unique<FitnessSelector>();
+  if (t.selector == "novelty") return std::make_unique<NoveltySelector>(scores());
+  if (t.selector == "nslc") return std::make_unique<NslcSelector>(scores());
   return std::make_unique<CuriositySelector>();
 }
 
@@ -58,10 +69,13 @@ SearchState read_checkpoint(const std::filesystem::path& path) {
 
 void evolve(StageRun& stage, const SearchTable& table, const Variation& variation, const Evaluator& evaluator,
             Seed seed, DescriptorRange range, const std::function<void(Hdf5Writer&, const Elites&)>& more) {
-  const auto repertoire = make_repertoire(table, variation.genes(), evaluator.descriptor_size(), range);
-  const auto selector = make_selector(table);
+  const int size = evaluator.descriptor_size();
+  const auto repertoire = make_repertoire(table, variation.genes(), size, range, seed);
+  const auto selector = make_selector(table, size, range);
   Search search(*repertoire, *selector, variation, evaluator,
-                {table.generations, table.batch, table.record_every}, seed);
+                {table.generations, table.batch, table.record_every,
+                 table.curiosity_credit == "published" ? Credit::kPublished : Credit::kParent},
+                seed);
   if (std::filesystem::exists(stage.checkpoint())) search.resume(read_checkpoint(stage.checkpoint()));
 
   Workers workers(stage.threads());

@@ -29,7 +29,9 @@ struct SearchTable {
   double epsilon = 0;
   int neighbours = 0;
   int grid_cells = 0;
+  int cvt_cells = 0;
   std::string selector;
+  std::string curiosity_credit;
   double mutation_rate = 0;
   double mutation_eta = 0;
 };
@@ -39,11 +41,17 @@ template <class Fields>
 void describe_search(Fields& f, SearchTable& s) {
   f.number("batch", s.batch, Range{1, 1e6}, "children of a generation (pop_size)");
   f.number("record_every", s.record_every, Range{1, 1e9}, "generations between two rows of progress");
-  f.choice("container", s.container, {"distance", "grid"},
-           "distance: the unstructured archive; grid: MAP-Elites");
+  f.choice(
+      "container", s.container, {"distance", "local_competition", "grid", "cvt"},
+      "distance: the unstructured archive; local_competition: the same, where the fitter of two near ones "
+      "stays; grid: MAP-Elites; cvt: CVT-MAP-Elites");
   f.number("neighbours", s.neighbours, Range{1, 32}, "k: neighbours that the novelty score averages");
   f.number("grid_cells", s.grid_cells, Range{1, 1e4}, "cells a side of the grid container");
-  f.choice("selector", s.selector, {"curiosity", "uniform"}, "how parents are drawn");
+  f.number("cvt_cells", s.cvt_cells, Range{1, 1e6}, "cells of the cvt container");
+  f.choice("selector", s.selector, {"curiosity", "uniform", "fitness", "novelty", "nslc"},
+           "how parents are drawn; nslc: Pareto fronts of novelty and local competition");
+  f.choice("curiosity_credit", s.curiosity_credit, {"parent", "published"},
+           "whom a child counts for: its own parent, or that of some sibling as in the published program");
   f.number("mutation_rate", s.mutation_rate, Range{0, 1}, "probability that a gene mutates");
   f.number("mutation_eta", s.mutation_eta, Range{0, 1000}, "eta_m of the polynomial mutation");
 }

@@ -27,8 +27,7 @@ class DistanceArchive final : public Repertoire {
     }
     // A lone elite is never replaced: it has no neighbours to be less novel than (as the published code has
     // it).
-    if (size() == 1 || near.second_is_too_near || !dominates(c, near.first))
-      return {Outcome::kRejected, kNoSlot};
+    if (size() == 1 || near.second_is_too_near || !wins(c, near.first)) return {Outcome::kRejected, kNoSlot};
     grid_.erase(near.first, store_.descriptor(near.first));
     store_.replace(near.first, c);
     grid_.insert(near.first, c.descriptor);
@@ -77,6 +76,11 @@ class DistanceArchive final : public Repertoire {
     float sum = 0;
     for (int i = 0; i < found; ++i) sum += std::sqrt(near[i].squared);
     return sum / static_cast<float>(found);
+  }
+
+  bool wins(const Candidate& c, Slot incumbent) const {
+    return settings_.contest == Contest::kFitness ? c.fitness > store_.fitness(incumbent)
+                                                  : dominates(c, incumbent);
   }
 
   // Exclusive epsilon-dominance: not much worse in either score, and better in their normalised sum.

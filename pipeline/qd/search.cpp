@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "pipeline/core/check.h"
 
@@ -22,9 +23,11 @@ Search::Search(Repertoire& repertoire, Selector& selector, const Variation& vari
       seed_(seed),
       batch_(settings.batch, variation.genes(), evaluator.descriptor_size()),
       parent_slot_(settings.batch, kNoSlot),
-      parent_id_(settings.batch, -1) {
+      parent_id_(settings.batch, -1),
+      credited_(settings.batch) {
   HBR_CHECK(settings.generations > 0 && settings.batch > 0 && settings.record_every > 0, "{} x {}, every {}",
             settings.generations, settings.batch, settings.record_every);
+  std::iota(credited_.begin(), credited_.end(), 0);
 }
 
 void Search::step(Workers& workers) {
@@ -38,11 +41,16 @@ void Search::step(Workers& workers) {
 
 void Search::select_parents() {
   Rng rng(seed_.child("selection").child(generation_));
+  const bool at_random = generation_ == 0 || repertoire_.size() == 0;
+  if (!at_random) selector_.refresh(repertoire_.store());
   for (int i = 0; i < settings_.batch; ++i) {
-    const bool at_random = generation_ == 0 || repertoire_.size() == 0;
     parent_slot_[i] = at_random ? kNoSlot : selector_.draw(repertoire_.size(), rng);
     parent_id_[i] = at_random ? -1 : repertoire_.store().id(parent_slot_[i]);
   }
+  if (settings_.credit == Credit::kParent) return;
+  std::iota(credited_.begin(), credited_.end(), 0);
+  Rng shuffle(seed_.child("credit").child(generation_));
+  for (int i = settings_.batch - 1; i > 0; --i) std::swap(credited_[i], credited_[shuffle.below(i + 1)]);
 }
 
 void Search::breed(Workers& workers) {
@@ -77,8 +85,9 @@ void Search::add() {
                                parent_id_[i]});
     }
     // A sibling may have taken the parent's place; then there is nobody to credit.
-    const Slot p = parent_slot_[i];
-    const bool parent_gone = p == kNoSlot || (p != added.slot && repertoire_.store().id(p) != parent_id_[i]);
+    const Slot p = parent_slot_[credited_[i]];
+    const bool parent_gone =
+        p == kNoSlot || (p != added.slot && repertoire_.store().id(p) != parent_id_[credited_[i]]);
     selector_.learn(parent_gone ? kNoSlot : p, added);
   }
 }

@@ -16,10 +16,16 @@
 
 namespace hbr {
 
+// Whom a selector credits with a child. The published program of Cully and Demiris (sferes2's modular_QD)
+// shuffles the parents before it breeds them, but credits them in the order in which they were drawn: every
+// child counts for the parent of some sibling.
+enum class Credit { kParent, kPublished };
+
 struct SearchSettings {
   std::int64_t generations;   // the first is random, all are of the same size
   int batch;                  // children of a generation
   std::int64_t record_every;  // generations between two progress rows; the last one always has a row
+  Credit credit = Credit::kParent;
 };
 
 // All that a search needs to go on as if it had never stopped.
@@ -63,6 +69,7 @@ class Search {
   Batch batch_;
   std::vector<Slot> parent_slot_;
   std::vector<std::int64_t> parent_id_;
+  std::vector<int> credited_;  // [child] the child whose parent is credited
   std::vector<ProgressRow> progress_;
 };
 

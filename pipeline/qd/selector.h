@@ -12,6 +12,9 @@ namespace hbr {
 class Selector {
  public:
   virtual ~Selector() = default;
+  // Called before the parents of a generation are drawn, for selectors that look at the elites themselves;
+  // the store is not empty.
+  virtual void refresh(const EliteStore&) {}
   // A slot of a repertoire of `size` > 0 elites.
   virtual Slot draw(Slot size, Rng& rng) const = 0;
   // What became of a child. `parent` is kNoSlot when it was drawn at random or its parent has been replaced

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <set>
 
-#include "pipeline/qd/distance_archive.h"
+#include "tests/pipeline/qd/containers.h"
 
 namespace hbr {
 namespace {
@@ -30,11 +30,14 @@ class Toy final : public Evaluator {
 struct ToySearch {
   PolynomialMutation variation{3, 10, 0.3f};
   Toy toy;
-  DistanceArchiveSettings archive{0.05f, 0.1f, 15, 0, 1};
-  std::unique_ptr<Repertoire> repertoire = make_distance_archive(3, 2, archive);
-  CuriositySelector selector;
+  std::unique_ptr<Repertoire> repertoire = make_distance_archive(3, 2, {0.05f, 0.1f, 15, 0, 1});
+  std::unique_ptr<Selector> selector = std::make_unique<CuriositySelector>();
   SearchSettings settings{60, 50, 7};
-  Search search{*repertoire, selector, variation, toy, settings, Seed(18)};
+  Search search{*repertoire, *selector, variation, toy, settings, Seed(18)};
+
+  ToySearch() = default;
+  ToySearch(const Container& container, const SelectorKind& kind, Credit credit)
+      : repertoire(container.make(3, 2)), selector(kind.make()), settings{60, 50, 7, credit} {}
   void to(std::int64_t generation, int threads) {
     Workers workers(threads);
     while (search.generation() < generation) search.step(workers);
@@ -151,20 +154,117 @@ TEST(Search, EveryGenerationAndChildHasNumbersOfItsOwn) {
   EXPECT_GT(selector.gone, 0);
 }
 
-TEST(Search, AnyNumberOfThreadsGivesTheSame) {
-  ToySearch one, three;
-  one.to(60, 1);
-  three.to(60, 3);
-  expect_same(one.search.state(), three.search.state());
+// Tells whom the search credits, where nobody is ever replaced.
+struct CreditNote final : Selector {
+  Slot draw(Slot size, Rng& rng) const override {
+    drawn.push_back(static_cast<Slot>(rng.below(size)));
+    return drawn.back();
+  }
+  void learn(Slot parent, const Added& child) override {
+    credited.push_back(parent);
+    born.push_back(child);
+  }
+  std::vector<std::int64_t> memory() const override { return {}; }
+  void restore(const std::vector<std::int64_t>&) override {}
+  mutable std::vector<Slot> drawn;
+  std::vector<Slot> credited;
+  std::vector<Added> born;
+};
+struct WithoutFitness final : Evaluator {
+  int descriptor_size() const override { return 2; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed) const override {
+    for (Eigen::Index i = begin; i < end; ++i) {
+      batch.descriptor.row(i) = batch.genome.row(i).head(2);
+      batch.valid[i] = 1;
+    }
+  }
+};
+
+TEST(Search, CreditsTheParentOrAsPublishedThatOfASibling) {
+  constexpr int kBatch = 50, kGenerations = 20;
+  for (const Credit credit : {Credit::kParent, Credit::kPublished}) {
+    const PolynomialMutation variation(3, 10, 0.3f);
+    const WithoutFitness evaluator;
+    const auto repertoire = make_distance_archive(3, 2, {0.02f, 0.1f, 15, 0, 1});
+    CreditNote note;
+    Search search(*repertoire, note, variation, evaluator, {kGenerations, kBatch, 7, credit}, Seed(20));
+    Workers workers(1);
+    while (!search.done()) search.step(workers);
+    const Elites elites = repertoire->store().in_id_order();
+    int own = 0;
+    for (int g = 1; g < kGenerations; ++g) {
+      const auto drawn = note.drawn.begin() + (g - 1) * kBatch;
+      const auto credited = note.credited.begin() + g * kBatch;
+      EXPECT_TRUE(std::is_permutation(drawn, drawn + kBatch, credited));
+      for (int i = 0; i < kBatch; ++i) {
+        own += drawn[i] == credited[i];
+        const Added& child = note.born[g * kBatch + i];
+        if (child.outcome == Outcome::kNovel) {  // bred from the parent that was drawn, whoever is credited
+          EXPECT_EQ(elites.parent[child.slot], elites.id[drawn[i]]);
+        }
+      }
+    }
+    if (credit == Credit::kParent)
+      EXPECT_EQ(own, (kGenerations - 1) * kBatch);
+    else
+      EXPECT_LT(own, 4 * kGenerations);  // a permutation has one fixed point in the mean
+  }
 }
 
-TEST(Search, ResumedItEndsAsIfItHadNeverStopped) {
-  ToySearch whole, first, second;
-  whole.to(60, 1);
-  first.to(23, 1);
-  second.search.resume(first.search.state());
-  second.to(60, 1);
-  expect_same(whole.search.state(), second.search.state());
+class EverySearch : public testing::TestWithParam<std::tuple<Container, SelectorKind>> {
+ protected:
+  static std::unique_ptr<ToySearch> make(Credit credit) {
+    const auto& [container, selector] = GetParam();
+    return std::make_unique<ToySearch>(container, selector, credit);
+  }
+};
+
+TEST_P(EverySearch, AnyNumberOfThreadsGivesTheSame) {
+  const auto one = make(Credit::kParent), three = make(Credit::kParent);
+  one->to(60, 1);
+  three->to(60, 3);
+  expect_same(one->search.state(), three->search.state());
+}
+
+TEST_P(EverySearch, ResumedItEndsAsIfItHadNeverStopped) {
+  for (const Credit credit : {Credit::kParent, Credit::kPublished}) {
+    const auto whole = make(credit), first = make(credit), second = make(credit);
+    whole->to(60, 1);
+    first->to(23, 1);
+    second->search.resume(first->search.state());
+    second->to(60, 1);
+    expect_same(whole->search.state(), second->search.state());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AllPairs, EverySearch,
+                         testing::Combine(testing::ValuesIn(all_containers()),
+                                          testing::ValuesIn(all_selectors())),
+                         [](const auto& instance) {
+                           return std::get<Container>(instance.param).name + "_" +
+                                  std::get<SelectorKind>(instance.param).name;
+                         });
+
+struct Unsound final : Evaluator {
+  int descriptor_size() const override { return 2; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed) const override {
+    for (Eigen::Index i = begin; i < end; ++i) {
+      batch.valid[i] = 1;
+      batch.descriptor(i, 1) = NAN;
+    }
+  }
+};
+
+// So that no container has to.
+TEST(SearchDeathTest, RefusesWhatIsNotFinite) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const PolynomialMutation variation(3, 10, 0.3f);
+  const Unsound evaluator;
+  const auto repertoire = make_distance_archive(3, 2, {0.05f, 0.1f, 15, 0, 1});
+  UniformSelector selector;
+  Search search(*repertoire, selector, variation, evaluator, {3, 10, 1}, Seed(20));
+  Workers workers(1);
+  EXPECT_DEATH(search.step(workers), "child 0: descriptor or fitness is not finite");
 }
 
 }  // namespace

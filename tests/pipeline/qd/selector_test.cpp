@@ -55,33 +55,5 @@ TEST(CuriositySelector, KeepsTheScoresOfALongLife) {
   for (std::size_t i = 0; i < halves.size(); ++i) EXPECT_EQ(halves[i], 2 * life.scores[i]);
 }
 
-TEST(CuriositySelector, WithoutAnySharesEveryEliteIsAsLikely) {
-  CuriositySelector selector;
-  for (Slot s = 0; s < 4; ++s) selector.learn(kNoSlot, {Outcome::kNovel, s});
-  Rng rng(Seed(11));
-  std::vector<int> drawn(4);
-  for (int i = 0; i < 40000; ++i) ++drawn[selector.draw(4, rng)];
-  for (const int n : drawn) EXPECT_NEAR(n, 10000, 5 * 87);
-}
-
-TEST(CuriositySelector, RestoredItDrawsTheSame) {
-  Life life;
-  Rng rng(Seed(12));
-  life.lives(500, rng);
-  CuriositySelector restored;
-  restored.restore(life.selector.memory());
-  const auto size = static_cast<Slot>(life.scores.size());
-  Rng a(Seed(13)), b(Seed(13));
-  for (int i = 0; i < 1000; ++i) EXPECT_EQ(life.selector.draw(size, a), restored.draw(size, b));
-}
-
-TEST(UniformSelector, DrawsEveryEliteAlike) {
-  UniformSelector selector;
-  Rng rng(Seed(14));
-  std::vector<int> drawn(5);
-  for (int i = 0; i < 50000; ++i) ++drawn[selector.draw(5, rng)];
-  for (const int n : drawn) EXPECT_NEAR(n, 10000, 5 * 90);
-}
-
 }  // namespace
 }  // namespace hbr

@@ -1,0 +1,124 @@
+// What every container promises, in any dimension.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/pipeline/qd/containers.h"
+#include "tests/pipeline/qd/solutions.h"
+
+namespace hbr {
+namespace {
+
+constexpr int kGenes = 4;
+
+class ContainerContract : public testing::TestWithParam<std::tuple<Container, int>> {
+ protected:
+  const Container& container = std::get<0>(GetParam());
+  int d = std::get<1>(GetParam());
+  std::unique_ptr<Repertoire> repertoire = container.make(kGenes, d);
+  const EliteStore& store = repertoire->store();
+};
+
+TEST_P(ContainerContract, SaysWhatBecameOfACandidate) {
+  Rng rng(Seed(3));
+  int novel = 0, replaced = 0, rejected = 0;
+  std::vector<std::int64_t> held;  // ids by slot, as it told
+  for (int id = 0; id < 4000; ++id) {
+    const Solution s = random_solution(rng, id, d, -1);
+    const Added added = repertoire->add(s.candidate());
+    if (added.outcome == Outcome::kRejected) {
+      ++rejected;
+      EXPECT_EQ(added.slot, kNoSlot);
+    } else if (added.outcome == Outcome::kNovel) {
+      ++novel;
+      ASSERT_EQ(added.slot, static_cast<Slot>(held.size()));  // it only grows, at its end
+      held.push_back(id);
+    } else {
+      ++replaced;
+      ASSERT_LT(added.slot, static_cast<Slot>(held.size()));
+      held[added.slot] = id;
+    }
+    ASSERT_EQ(repertoire->size(), static_cast<Slot>(held.size()));
+    if (added.outcome == Outcome::kRejected) continue;
+    EXPECT_EQ(store.id(added.slot), id);
+    EXPECT_EQ(store.fitness(added.slot), s.fitness);
+    ASSERT_EQ(store.length(added.slot), static_cast<int>(s.genome.size()));
+    EXPECT_TRUE(std::equal(s.genome.begin(), s.genome.end(), store.genome(added.slot)));
+    for (int g = store.length(added.slot); g < kGenes; ++g) EXPECT_EQ(store.genome(added.slot)[g], 0);
+    EXPECT_TRUE(std::equal(s.descriptor.begin(), s.descriptor.end(), store.descriptor(added.slot)));
+  }
+  EXPECT_GT(novel, 20);
+  EXPECT_GT(replaced, 20);
+  EXPECT_GT(rejected, 20);
+  for (Slot s = 0; s < repertoire->size(); ++s) EXPECT_EQ(store.id(s), held[s]);  // slots are stable
+}
+
+TEST_P(ContainerContract, HoldsOneElitePerNiche) {
+  Rng rng(Seed(7));
+  for (int id = 0; id < 3000; ++id) repertoire->add(random_solution(rng, id, d, -1).candidate());
+  for (Slot a = 0; a < repertoire->size(); ++a)
+    for (Slot b = 0; b < a; ++b)
+      ASSERT_FALSE(container.same_niche(store.descriptor(a), store.descriptor(b), d)) << a << ", " << b;
+}
+
+TEST_P(ContainerContract, NeverLosesItsBestToAWorse) {
+  Rng rng(Seed(8));
+  std::vector<Solution> offered;
+  for (int id = 0; id < 1500; ++id) {
+    const float best = repertoire->size() == 0 ? -2 : repertoire->store().in_id_order().objective.maxCoeff();
+    offered.push_back(random_solution(rng, id, d, -1));
+    repertoire->add(offered.back().candidate());
+    // The dominance of the distance archive trades up to epsilon of quality for novelty.
+    const float slack = container.name == "distance" ? 0.1f * std::abs(best) : 0;
+    ASSERT_GE(store.in_id_order().objective.maxCoeff(), best - slack);
+  }
+  if (!container.fitter_only) return;
+  for (const Solution& s : offered) {
+    int owners = 0;
+    for (Slot e = 0; e < repertoire->size(); ++e)
+      if (container.same_niche(s.descriptor.data(), store.descriptor(e), d)) {
+        ++owners;
+        EXPECT_GE(store.fitness(e), s.fitness);
+      }
+    EXPECT_EQ(owners, 1);
+  }
+}
+
+TEST_P(ContainerContract, NeverTakesACopyAgain) {
+  Rng rng(Seed(4));
+  for (int id = 0; id < 500; ++id) {
+    const Solution s = random_solution(rng, id, d, -1);
+    repertoire->add(s.candidate());
+    EXPECT_EQ(repertoire->add(s.candidate()).outcome, Outcome::kRejected);
+  }
+}
+
+TEST_P(ContainerContract, RestoredItGoesOnAsBefore) {
+  const auto resumed = container.make(kGenes, d);
+  Rng rng(Seed(5));
+  std::vector<Solution> solutions;
+  for (int id = 0; id < 2000; ++id) solutions.push_back(random_solution(rng, id, d, -1));
+  for (int id = 0; id < 1000; ++id) repertoire->add(solutions[id].candidate());
+  resumed->restore(store.in_slot_order());
+  for (int id = 1000; id < 2000; ++id) {
+    const Added a = repertoire->add(solutions[id].candidate()), b = resumed->add(solutions[id].candidate());
+    ASSERT_EQ(a.outcome, b.outcome);
+    ASSERT_EQ(a.slot, b.slot);
+  }
+  const Elites a = store.in_id_order(), b = resumed->store().in_id_order();
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.parent, b.parent);
+  EXPECT_EQ(a.solution, b.solution);
+  EXPECT_EQ(a.measures, b.measures);
+  EXPECT_TRUE(std::is_sorted(a.id.begin(), a.id.end()));
+}
+
+INSTANTIATE_TEST_SUITE_P(AllContainers, ContainerContract,
+                         testing::Combine(testing::ValuesIn(all_containers()), testing::Values(1, 2, 3, 6)),
+                         [](const auto& instance) {
+                           return std::get<0>(instance.param).name + "_in_" +
+                                  std::to_string(std::get<1>(instance.param)) + "D";
+                         });
+
+}  // namespace
+}  // namespace hbr
