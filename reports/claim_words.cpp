@@ -126,6 +126,8 @@ std::string check_sentence(const Check& check, const Measured& m) {
                      asked(check, m), in_words(m.outcome));
 }
 
+std::string check_figure(const Check& check, const Measured& m) { return in_unit(check, m, *m.x); }
+
 std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measured,
                           const std::vector<NeedFound>& needs) {
   if (claim.checks.empty()) return least_replications(needs);

@@ -128,7 +128,10 @@ json check_json(const Check& check, const Measured& m) {
                  {"p_below", check.p_below},
                  {"outcome", outcome_name(m.outcome)},
                  {"sentence", check_sentence(check, m)}};
-  if (m.x) result["x"] = *m.x;
+  if (m.x) {
+    result["x"] = *m.x;
+    result["figure"] = check_figure(check, m);
+  }
   if (m.p) result["p"] = *m.p;
   if (m.a12) result["a12"] = *m.a12;
   return result;

@@ -17,8 +17,9 @@ namespace hbr {
 //               then only asked to be as small as the test can give for so few replications.
 //   reason      a sentence made from the numbers
 //   sources     names of the statistics used
-//   checks      [{words, kind, of, to, reproduced, partly, p_below, x, p, a12, outcome, sentence}], outcome
-//               "yes", "partly", "no" or "absent"; x, p and a12 where there are such; infinite ends are null
+//   checks      [{words, kind, of, to, reproduced, partly, p_below, x, figure, p, a12, outcome, sentence}],
+//               outcome "yes", "partly", "no" or "absent"; x, figure (x in its unit), p and a12 where there
+//               are such; infinite ends are null
 //   needs       [{of, at_least, found, met}], found is null where the statistic is absent
 //
 // Throws InputError where the file or the statistics are not as described.

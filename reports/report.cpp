@@ -45,16 +45,20 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
   std::filesystem::create_directories(folder / "figures", error);
   if (error) throw InputError("cannot make {}: {}", (folder / "figures").string(), error.message());
 
+  const nlohmann::json sensitivity = sensitivity_table(content.claims, content.variations);
   TemplateContent page;
   page.statistics = content.statistics;
-  page.values = {{"profile", escape_html(content.profile)},
-                 {"css", kPageCss},
-                 {"js", kPageJs},
-                 {"summary", verdict_tiles(content.claims)},
-                 {"claims", claims_table(content.claims)},
-                 {"readings", ledger_html(content.readings)},
-                 {"provenance", inventory(content)},
-                 {"hero", hero(content.artifacts)}};
+  page.values = {
+      {"profile", escape_html(content.profile)},
+      {"css", kPageCss},
+      {"js", kPageJs},
+      {"summary", verdict_tiles(content.claims)},
+      {"claims", claims_table(content.claims)},
+      {"sensitivity", sensitivity_html(sensitivity)},
+      {"sensitivity_link", content.variations.empty() ? "" : "<a href=\"#sensitivity\">Sensitivity</a> "},
+      {"readings", ledger_html(content.readings)},
+      {"provenance", inventory(content)},
+      {"hero", hero(content.artifacts)}};
   for (const Figure& figure : all_figures({content.artifacts, StatisticsView(content.statistics)})) {
     write_figure(figure, folder / "figures");
     page.figures[figure.id] = figure_html(figure);
@@ -62,6 +66,7 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
   write_file(folder / "index.html", fill_template(kPageHtml, page));
   write_file(folder / "statistics.json", content.statistics.dump(1) + "\n");
   write_file(folder / "claims.json", content.claims.dump(1) + "\n");
+  if (!content.variations.empty()) write_file(folder / "sensitivity.json", sensitivity.dump(1) + "\n");
 }
 
 }  // namespace hbr

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reports/artifacts.h"
+#include "reports/sensitivity.h"
 
 namespace hbr {
 
@@ -15,9 +16,11 @@ struct ReportContent {
   nlohmann::json statistics;  // statistics.json
   nlohmann::json claims;      // as evaluate_claims leaves them
   nlohmann::json readings;    // array of {id, title, paper, reading, alternatives, effect}
+  std::vector<VariationClaims> variations = {};
 };
 
-// Makes `folder` with index.html (self-contained), statistics.json, claims.json and figures/ID.{svg,pdf,csv}.
+// Makes `folder` with index.html (self-contained), statistics.json, claims.json, sensitivity.json where there
+// are variations, and figures/ID.{svg,pdf,csv}.
 // The same content gives the same bytes: no time, host or path is written.
 void write_report(const ReportContent& content, const std::filesystem::path& folder);
 

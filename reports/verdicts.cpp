@@ -20,13 +20,16 @@ constexpr std::array<Verdict, 4> kVerdicts = {{{"reproduced", "✓", "reproduced
                                                {"not", "✗", "not"},
                                                {"not at this size", "○", "not-at-this-size"}}};
 
-const Verdict& verdict_of(const nlohmann::json& claim) {
-  const std::string name = claim.value("verdict", "");
+const Verdict& verdict_named(const std::string& name, const std::string& whose) {
   const auto found = std::ranges::find(kVerdicts, name, [](const Verdict& v) { return std::string(v.name); });
   if (found == kVerdicts.end())
-    throw InputError("claim '{}' has the verdict '{}'; expected reproduced, partly, not or not at this size",
-                     claim.value("id", "?"), name);
+    throw InputError("{} has the verdict '{}'; expected reproduced, partly, not or not at this size", whose,
+                     name);
   return *found;
+}
+
+const Verdict& verdict_of(const nlohmann::json& claim) {
+  return verdict_named(claim.value("verdict", ""), fmt::format("claim '{}'", claim.value("id", "?")));
 }
 
 std::string text(const nlohmann::json& claim, const char* key) {
@@ -51,6 +54,11 @@ std::string verdict_tiles(const nlohmann::json& claims) {
   return html + "</div>\n";
 }
 
+std::string verdict_badge(const std::string& name) {
+  const Verdict& verdict = verdict_named(name, "a claim");
+  return fmt::format("<span class=\"badge {}\">{} {}</span>", verdict.css, verdict.sign, verdict.name);
+}
+
 std::string claims_table(const nlohmann::json& claims) {
   std::string html = fmt::format(
       "<div class=\"filters no-print\"><button type=\"button\" data-verdict=\"\" aria-pressed=\"true\">all "
@@ -69,10 +77,10 @@ std::string claims_table(const nlohmann::json& claims) {
     const std::string indication = text(claim, "indication");
     html += fmt::format(
         "<tr id=\"claim-{}\" data-verdict=\"{}\"><td>{} <div class=\"place\">{}</div></td><td "
-        "data-name=\"Paper\">{}</td><td data-name=\"This run\">{}</td><td><span class=\"badge {}\">{} "
-        "{}</span>{}<details class=\"reason\"><summary>why</summary>{}</details></td></tr>\n",
+        "data-name=\"Paper\">{}</td><td data-name=\"This run\">{}</td><td>{}{}<details "
+        "class=\"reason\"><summary>why</summary>{}</details></td></tr>\n",
         text(claim, "id"), verdict.css, text(claim, "statement"), text(claim, "place"), text(claim, "paper"),
-        text(claim, "ours"), verdict.css, verdict.sign, verdict.name,
+        text(claim, "ours"), verdict_badge(verdict.name),
         indication.empty() || indication == verdict.name
             ? ""
             : fmt::format(" <span class=\"indication\">points to: {}</span>", indication),

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "pipeline/artifact/profile.h"
+#include "pipeline/artifact/variations.h"
 #include "pipeline/core/check.h"
 #include "stages/profile.h"
 
@@ -28,11 +29,23 @@ std::vector<std::string> idx_files(const std::filesystem::path& folder) {
   return files;
 }
 
+void check_name(const std::string& where, const std::string& table, const std::string& name) {
+  const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
+    throw InputError("{}: {}: name '{}': expected letters, digits and _", where, table, name);
+}
+
+const std::string kStatistics = "statistics.json";
+
 // Cuts the profile: every function adds the runs of one stage, told no more than they depend on.
 class Experiment {
  public:
-  Experiment(Profile profile, std::string file) : p_(std::move(profile)), file_(std::move(file)) { check(); }
+  // `where` leads the errors.
+  Experiment(Profile profile, std::string where) : p_(std::move(profile)), where_(std::move(where)) {
+    check();
+  }
 
+  // From the data to the statistics.
   Graph graph() {
     data();
     for (int r = 0; r < p_.replications.lines; ++r) {
@@ -43,20 +56,18 @@ class Experiment {
     }
     for (int r = 0; r < p_.replications.digits; ++r) digits(r);
     for (const RobotSettings& robot : p_.robots) transfer(robot);
-    results();
+    statistics();
     return std::move(graph_);
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw InputError("{}: {}", file_, what); }
+  [[noreturn]] void fail(const std::string& what) const { throw InputError("{}: {}", where_, what); }
 
   template <class Variants>
   void check_names(const std::string& table, const Variants& variants) const {
     std::set<std::string> seen;
     for (const auto& v : variants) {
-      const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
-      if (v.name.empty() || !std::all_of(v.name.begin(), v.name.end(), fits))
-        fail(fmt::format("{}: name '{}': expected letters, digits and _", table, v.name));
+      check_name(where_, table, v.name);
       if (!seen.insert(v.name).second) fail(fmt::format("{}: name '{}' stands twice", table, v.name));
     }
   }
@@ -129,11 +140,11 @@ class Experiment {
   // --- stages
 
   void data() {
+    if (p_.replications.digits == 0) return;
     DatasetSettings dataset = p_.dataset;
     if (const char* folder = std::getenv("MNIST_DIR"); folder && *folder && dataset.name == "mnist")
       dataset.folder = folder;
     add("dataset", "dataset", -1, settings_to_json(dataset), {}, idx_files(dataset.folder));
-    if (p_.replications.digits == 0) return;
     add("judge", "judge", -1,
         {{"seed", p_.seed},
          {"judge", settings_to_json(p_.judge)},
@@ -267,39 +278,84 @@ class Experiment {
                       {robot.urdf}});
   }
 
-  // Everything before, by its own name, then what the statistics say of it.
-  void results() {
-    Inputs all, measured;
+  // Everything before, by its own name.
+  void statistics() {
+    Inputs measured;
     json generations = json::object();
     for (const Node& node : graph_) {
-      all.emplace_back(node.output, node.output);
-      if (node.output.ends_with(".h5")) measured.push_back(all.back());
+      if (node.output.ends_with(".h5")) measured.emplace_back(node.output, node.output);
       if (node.settings.contains("search")) generations[node.stage] = node.settings["search"]["generations"];
     }
     const json settings{{"profile", p_.name},
                         {"replications", settings_to_json(p_.replications)},
                         {"generations", generations}};
-    graph_.push_back({"statistics", "statistics", -1, "statistics.json", settings, measured, {}});
-    all.emplace_back("statistics.json", "statistics.json");
-    const std::string claims = "reports/claims.toml", readings = "reports/readings.toml";
-    graph_.push_back({"report",
-                      "report",
-                      -1,
-                      "page",
-                      {{"claims", claims}, {"readings", readings}},
-                      all,
-                      {claims, readings}});
+    graph_.push_back({"statistics", "statistics", -1, kStatistics, settings, measured, {}});
   }
 
   Profile p_;
-  std::string file_;
+  std::string where_;
   Graph graph_;
 };
 
+// The profile with a variation's changes, read as strictly as the profile itself.
+Profile varied(const SettingsSource& source, std::size_t index, const Variation& variation) {
+  const SettingsSource changes = part_of(source, fmt::format("/variations/{}/set", index));
+  for (const char* key : {"name", "variations"})
+    if (changes.values.contains(key)) {
+      const SettingsSource::Position at = changes.keys.at(std::string("/") + key);
+      throw InputError("{}:{}:{}: variation '{}' can't change '{}'; expected a key that a stage depends on",
+                       at.file, at.line, at.column, variation.name, key);
+    }
+  auto profile = settings_from_source<Profile>(laid_over(source, changes));
+  profile.name += "/" + variation.name;
+  profile.variations.clear();
+  return profile;
+}
+
+// A variation's name is a make goal and a folder beside those of the stages.
+void check_variations(const std::string& file, const Profile& profile, const Graph& graph) {
+  std::set<std::string> taken{"all", "page", "report"};
+  for (const Node& node : graph) taken.insert({node.stage, node.stage.substr(0, node.stage.find('_'))});
+  for (const Variation& v : profile.variations) {
+    check_name(file, "variations", v.name);
+    if (!taken.insert(v.name).second)
+      throw InputError("{}: variations: name '{}' stands twice, or is a stage's", file, v.name);
+    if (v.changes.empty())
+      throw InputError("{}: variation '{}' has no `changes`; expected a sentence for the report", file,
+                       v.name);
+  }
+}
+
+// The page: everything of the experiment by its own name, and the statistics of every variation.
+Node report_of(const Profile& profile, const Graph& graph) {
+  const std::string claims = "reports/claims.toml", readings = "reports/readings.toml";
+  json settings = {{"claims", claims}, {"readings", readings}, {"variations", json::array()}};
+  for (const Variation& v : profile.variations)
+    settings["variations"].push_back({{"name", v.name}, {"changes", v.changes}});
+  std::vector<std::pair<std::string, std::string>> inputs;
+  for (const Node& node : graph)
+    if (node.variation.empty() || node.stage == "statistics") inputs.emplace_back(node.output, node.output);
+  return {"report", "report", -1, "page", settings, inputs, {claims, readings}};
+}
+
 }  // namespace
 
-Graph experiment_graph(const std::filesystem::path& profile) {
-  return Experiment(read_profile<Profile>(profile), profile.string()).graph();
+Graph experiment_graph(const std::filesystem::path& file) {
+  const SettingsSource source = read_inheriting(file);
+  const auto profile = settings_from_source<Profile>(source);
+  Graph graph = Experiment(profile, file.string()).graph();
+  check_variations(file.string(), profile, graph);
+  for (std::size_t i = 0; i < profile.variations.size(); ++i) {
+    const Variation& v = profile.variations[i];
+    const std::string where = fmt::format("{}: variation '{}'", file.string(), v.name);
+    const std::size_t before = graph.size();
+    add_variation(graph, v.name, Experiment(varied(source, i, v), where).graph());
+    if (graph.size() - before < 2)  // the statistics are always its own
+      throw InputError("{} changes nothing that this profile runs; expected keys that a stage depends on",
+                       where);
+  }
+  graph.push_back(report_of(profile, graph));
+  return graph;
 }
 
 }  // namespace hbr

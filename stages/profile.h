@@ -1,4 +1,5 @@
-// A profile: every number of an experiment. profiles/reduced.toml and profiles/paper.toml have the same keys.
+// A profile: every number of an experiment. profiles/paper.toml has all keys; the others say what they
+// change.
 #pragma once
 
 #include <cstdint>
@@ -119,6 +120,19 @@ void describe(Fields& f, ExperimentsTable& s) {
          "layer-3 variant that is executed over both layers 1");
 }
 
+// The same experiment with some keys changed: what it does not touch is not run again.
+struct Variation {
+  std::string name;
+  std::string changes;
+  nlohmann::json set;
+};
+template <class Fields>
+void describe(Fields& f, Variation& s) {
+  f.text("name", s.name, "of the make goal and of the folder below OUT");
+  f.text("changes", s.changes, "which reading it changes, a sentence for the report");
+  f.raw_table("set", s.set, "the keys of the profile that it changes, in their tables");
+}
+
 struct Profile {
   std::string name;
   std::uint64_t seed = 0;
@@ -141,6 +155,7 @@ struct Profile {
   ExperimentsTable experiments;
   LayerTable robot_layer1;
   std::vector<RobotSettings> robots;
+  std::vector<Variation> variations;
 };
 template <class Fields>
 void describe(Fields& f, Profile& s) {
@@ -165,6 +180,7 @@ void describe(Fields& f, Profile& s) {
   f.table("experiments", s.experiments, "what is done with finished layers");
   f.table("robot_layer1", s.robot_layer1, "points of the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");
+  f.tables("variations", s.variations, "other readings, run beside this one");
 }
 
 }  // namespace hbr

@@ -12,13 +12,24 @@
 namespace hbr {
 namespace {
 
+struct VariationName {
+  std::string name, changes;
+};
+template <class Fields>
+void describe(Fields& f, VariationName& s) {
+  f.text("name", s.name, "its statistics are the input NAME/statistics.json");
+  f.text("changes", s.changes, "which reading it changes");
+}
+
 struct ReportSettings {
   std::string claims, readings;
+  std::vector<VariationName> variations;
 };
 template <class Fields>
 void describe(Fields& f, ReportSettings& s) {
   f.text("claims", s.claims, "file of the paper's claims");
   f.text("readings", s.readings, "file of the readings");
+  f.tables("variations", s.variations, "other readings, run beside this one");
 }
 
 nlohmann::json read_json(const std::filesystem::path& path) {
@@ -33,10 +44,16 @@ void run(StageRun& stage) {
   const nlohmann::json statistics = read_json(stage.input("statistics.json"));
   std::map<std::string, std::filesystem::path> artifacts;
   for (const std::string& name : stage.inputs())
-    if (name != "statistics.json") artifacts[name] = stage.input(name);
-  write_report({statistics.at("profile"), Artifacts(artifacts), statistics,
-                evaluate_claims(settings.claims, statistics), read_readings(settings.readings)},
-               stage.output());
+    if (!name.ends_with("statistics.json")) artifacts[name] = stage.input(name);
+  std::vector<VariationClaims> variations;
+  for (const VariationName& v : settings.variations) {
+    const nlohmann::json own = read_json(stage.input(v.name + "/statistics.json"));
+    variations.push_back({v.name, v.changes, evaluate_claims(settings.claims, own)});
+  }
+  write_report(
+      {statistics.at("profile"), Artifacts(artifacts), statistics,
+       evaluate_claims(settings.claims, statistics), read_readings(settings.readings), std::move(variations)},
+      stage.output());
 }
 
 }  // namespace

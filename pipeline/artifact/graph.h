@@ -8,7 +8,8 @@
 
 namespace hbr {
 
-// One run of a stage program. Its slice is {stage, name, settings, inputs, output}.
+// One run of a stage program. Its slice is {stage, name, settings, inputs, output}, and the variation where
+// it is of one (variations.h).
 struct Node {
   std::string program;      // "layer1": the program build/.../bin/layer1
   std::string stage;        // "layer2_n10": the make target that builds all its replications
@@ -18,7 +19,13 @@ struct Node {
   std::vector<std::pair<std::string, std::string>> inputs;  // name in the program -> another node's output
   std::vector<std::string> sources;  // files of the user or the repository it reads (absolute or below the
                                      // repository); their content is part of the key
+  std::string variation = {};        // whose run it is; "" for the experiment's own
 };
+
+// What make calls the node's stage: "layer2_n10", "VARIATION/layer2_n10".
+inline std::string target_of(const Node& node) {
+  return node.variation.empty() ? node.stage : node.variation + "/" + node.stage;
+}
 
 // In an order in which every input stands before its user. Checked by the planner: unique outputs, known
 // inputs, no circle.

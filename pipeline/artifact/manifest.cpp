@@ -24,11 +24,13 @@ std::string name_of(const Node& node) {
 nlohmann::json slice_of(const Node& node) {
   nlohmann::json inputs = nlohmann::json::object();
   for (const auto& [name, output] : node.inputs) inputs[name] = output;
-  return {{"stage", node.stage},
-          {"name", name_of(node)},
-          {"settings", node.settings},
-          {"inputs", inputs},
-          {"output", node.output}};
+  nlohmann::json slice = {{"stage", node.stage},
+                          {"name", name_of(node)},
+                          {"settings", node.settings},
+                          {"inputs", inputs},
+                          {"output", node.output}};
+  if (!node.variation.empty()) slice["variation"] = node.variation;
+  return slice;
 }
 
 std::filesystem::path manifest_path(const std::filesystem::path& out, const Node& node) {

@@ -16,7 +16,7 @@ namespace hbr {
 // What an artifact is made from; equal ingredients, equal artifact. Threads, times and hosts are not among
 // them.
 struct Ingredients {
-  nlohmann::json slice;                       // {stage, name, settings, inputs, output}
+  nlohmann::json slice;                       // as slice_of() gives it
   std::string program;                        // sha256
   std::map<std::string, std::string> inputs;  // name -> sha256
   std::vector<std::string> sources;           // sha256, in the node's order
@@ -32,7 +32,7 @@ struct Manifest {
   nlohmann::json run;  // times, host, version, compiler, ...: no part of the key
 };
 
-// {stage, name, settings, inputs, output}
+// {stage, name, settings, inputs, output}, and variation where the node is of one.
 nlohmann::json slice_of(const Node& node);
 // "layer2_n10/03": the output without its ".h5".
 std::string name_of(const Node& node);

@@ -2,27 +2,31 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 #include "pipeline/core/check.h"
 
 namespace hbr {
 namespace {
 
-SettingsSource::Position position(const toml::source_region& region) {
-  return {region.begin.line, region.begin.column};
+using Positions = std::map<std::string, SettingsSource::Position>;
+
+SettingsSource::Position position(const SettingsSource& source, const toml::source_region& region) {
+  return {source.file, region.begin.line, region.begin.column};
 }
 
 nlohmann::json converted(const toml::node& node, const std::string& pointer, SettingsSource& source) {
-  source.places[pointer] = position(node.source());
+  source.places[pointer] = position(source, node.source());
   if (const toml::table* table = node.as_table()) {
     nlohmann::json object = nlohmann::json::object();
     for (const auto& [key, value] : *table) {
       const std::string name(key.str());
-      source.keys[pointer + "/" + name] = position(key.source());
+      source.keys[pointer + "/" + name] = position(source, key.source());
       object[name] = converted(value, pointer + "/" + name, source);
     }
     return object;
@@ -42,6 +46,59 @@ nlohmann::json converted(const toml::node& node, const std::string& pointer, Set
   if (const auto* flag = node.as_boolean()) return flag->get();
   if (const auto* text = node.as_string()) return text->get();
   return nullptr;  // a date or time: no field takes one
+}
+
+bool is_below(const std::string& pointer, const std::string& root) {
+  return pointer.starts_with(root) && (pointer.size() == root.size() || pointer[root.size()] == '/');
+}
+
+// What stands at `pointer` and below it comes from `above`.
+void replace_positions(Positions& below, const Positions& above, const std::string& pointer) {
+  std::erase_if(below, [&](const auto& entry) { return is_below(entry.first, pointer); });
+  for (auto entry = above.lower_bound(pointer); entry != above.end(); ++entry)
+    if (is_below(entry->first, pointer)) below.insert(*entry);
+}
+
+void merge(SettingsSource& below, nlohmann::json& values, const SettingsSource& above,
+           const nlohmann::json& changes, const std::string& pointer) {
+  for (const auto& [key, change] : changes.items()) {
+    const std::string inner = pointer + "/" + key;
+    const auto found = values.find(key);
+    if (found != values.end() && found->is_object() && change.is_object()) {
+      for (const auto& [positions, from] :
+           {std::pair{&below.keys, &above.keys}, std::pair{&below.places, &above.places}})
+        if (const auto place = from->find(inner); place != from->end()) (*positions)[inner] = place->second;
+      merge(below, *found, above, change, inner);
+    } else {
+      values[key] = change;
+      replace_positions(below.keys, above.keys, inner);
+      replace_positions(below.places, above.places, inner);
+    }
+  }
+}
+
+SettingsSource inherited(const std::filesystem::path& file, std::vector<std::filesystem::path>& heirs) {
+  SettingsSource own = read_toml(file);
+  if (!own.values.contains("base")) return own;
+  const nlohmann::json base = own.values["base"];
+  const SettingsSource::Position place = own.places["/base"];
+  const std::string where = fmt::format("{}:{}:{}: base", place.file, place.line, place.column);
+  if (!base.is_string() || base.get_ref<const std::string&>().empty())
+    throw InputError("{}: expected a file's name (the profile that this one changes), found {}", where,
+                     base.is_object() ? "a table" : base.dump());
+  own.values.erase("base");
+
+  heirs.push_back(std::filesystem::weakly_canonical(file));
+  const std::filesystem::path below = (file.parent_path() / base.get<std::string>()).lexically_normal();
+  if (std::find(heirs.begin(), heirs.end(), std::filesystem::weakly_canonical(below)) != heirs.end())
+    throw InputError("{}: '{}' leads back to itself; expected a profile that does not build on this one",
+                     where, below.string());
+  if (!std::filesystem::is_regular_file(below))
+    throw InputError("{}: there is no file '{}'; expected a path relative to the folder of {}", where,
+                     below.string(), file.filename().string());
+  SettingsSource source = inherited(below, heirs);
+  source.values.erase("name");
+  return laid_over(std::move(source), own);
 }
 
 }  // namespace
@@ -66,8 +123,31 @@ SettingsSource read_toml(const std::filesystem::path& file) {
     throw InputError("{}:{}:{}: {}", source.file, error.source().begin.line, error.source().begin.column,
                      reason);
   }
-  source.places[""] = {1, 1};
+  source.places[""] = {source.file, 1, 1};
   return source;
+}
+
+SettingsSource laid_over(SettingsSource below, const SettingsSource& above) {
+  merge(below, below.values, above, above.values, "");
+  below.file = above.file;
+  if (const auto place = above.places.find(""); place != above.places.end()) below.places[""] = place->second;
+  return below;
+}
+
+SettingsSource part_of(const SettingsSource& source, const std::string& pointer) {
+  SettingsSource part;
+  part.values = source.values.at(nlohmann::json::json_pointer(pointer));
+  part.file = source.file;
+  for (const auto& [positions, from] :
+       {std::pair{&part.keys, &source.keys}, std::pair{&part.places, &source.places}})
+    for (const auto& [name, place] : *from)
+      if (is_below(name, pointer)) (*positions)[name.substr(pointer.size())] = place;
+  return part;
+}
+
+SettingsSource read_inheriting(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> heirs;
+  return inherited(file, heirs);
 }
 
 }  // namespace hbr

@@ -113,6 +113,7 @@ Node read_slice(const fs::path& file) {
     node.settings = all.at("settings");
     for (const auto& [name, output] : all.at("inputs").items()) node.inputs.emplace_back(name, output);
     all.at("sources").get_to(node.sources);
+    node.variation = all.value("variation", "");
     return node;
   } catch (const nlohmann::json::exception& error) {
     throw InputError("{}: not a slice: {}", file.string(), error.what());

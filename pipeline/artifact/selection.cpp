@@ -10,41 +10,82 @@
 namespace hbr {
 namespace {
 
-// The stages in the graph's order.
-std::vector<std::string> stages_of(const Graph& graph) {
-  std::vector<std::string> stages;
+// In the graph's order, each once.
+template <class Name>
+std::vector<std::string> names_of(const Graph& graph, Name name) {
+  std::vector<std::string> names;
   std::set<std::string> seen;
   for (const Node& node : graph)
-    if (seen.insert(node.stage).second) stages.push_back(node.stage);
-  return stages;
+    if (seen.insert(name(node)).second) names.push_back(name(node));
+  return names;
 }
 
-std::set<std::string> stages_meant(const std::vector<std::string>& stages, const std::string& goal) {
-  if (goal == "all") return {stages.begin(), stages.end()};
-  if (std::find(stages.begin(), stages.end(), goal) != stages.end()) return {goal};
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The stage of that name, else the family; empty where there is neither.
+std::set<std::string> stage_or_family(const std::vector<std::string>& stages, const std::string& goal) {
+  if (contains(stages, goal)) return {goal};
   std::set<std::string> family;
   for (const std::string& stage : stages)
     if (stage.starts_with(goal + "_")) family.insert(stage);
-  if (family.empty()) {
-    std::vector<std::string> names = stages;
-    for (const std::string& stage : stages) names.push_back(stage.substr(0, stage.find('_')));
-    throw InputError("no stage '{}'{}; the stages are: {}", goal, did_you_mean(goal, names),
-                     fmt::join(stages, ", "));
-  }
   return family;
+}
+
+[[noreturn]] void fail(const std::string& goal, const std::vector<std::string>& stages,
+                       const std::vector<std::string>& variations) {
+  std::vector<std::string> names = stages;
+  for (const std::string& stage : stages) names.push_back(stage.substr(0, stage.find('_')));
+  names.insert(names.end(), variations.begin(), variations.end());
+  const std::string more =
+      variations.empty() ? "" : fmt::format("; the variations are: {}", fmt::join(variations, ", "));
+  throw InputError("no stage '{}'{}; the stages are: {}{}", goal, did_you_mean(goal, names),
+                   fmt::join(stages, ", "), more);
+}
+
+// Targets (graph.h).
+std::set<std::string> targets_meant(const Graph& graph, const std::string& goal) {
+  std::vector<std::string> variations = names_of(graph, [](const Node& node) { return node.variation; });
+  std::erase(variations, "");
+  const auto stages_of = [&](const std::string& variation) {
+    Graph own;
+    std::copy_if(graph.begin(), graph.end(), std::back_inserter(own),
+                 [&](const Node& node) { return node.variation == variation; });
+    return names_of(own, [](const Node& node) { return node.stage; });
+  };
+  if (goal == "all") {
+    const std::vector<std::string> all = names_of(graph, target_of);
+    return {all.begin(), all.end()};
+  }
+
+  const std::size_t slash = goal.find('/');
+  const std::string head = goal.substr(0, slash);
+  const bool varied = contains(variations, head);
+  const std::string stage = !varied ? goal : slash == std::string::npos ? "" : goal.substr(slash + 1);
+  const std::vector<std::string> plain = stages_of("");
+  std::set<std::string> targets;
+  if (varied)
+    for (const std::string& own : stages_of(head))
+      if (stage.empty() || stage_or_family(stages_of(head), stage).contains(own))
+        targets.insert(head + "/" + own);
+  if (!stage.empty())
+    for (const std::string& shared : stage_or_family(plain, stage))
+      if (!targets.contains(head + "/" + shared)) targets.insert(shared);
+  if (targets.empty()) fail(goal, plain, variations);
+  return targets;
 }
 
 }  // namespace
 
 Graph selected(const Graph& graph, const std::vector<std::string>& goals, int replication) {
-  const std::vector<std::string> stages = stages_of(graph);
   std::set<std::string> wanted;  // outputs
   for (const std::string& goal : goals) {
-    const std::set<std::string> meant = stages_meant(stages, goal);
+    const std::set<std::string> meant = targets_meant(graph, goal);
     int last = -1;
     bool any = false;
     for (const Node& node : graph) {
-      if (!meant.contains(node.stage)) continue;
+      if (!meant.contains(target_of(node))) continue;
       last = std::max(last, node.replication);
       if (replication >= 0 && node.replication >= 0 && node.replication != replication) continue;
       any = true;
@@ -62,13 +103,13 @@ Graph selected(const Graph& graph, const std::vector<std::string>& goals, int re
 }
 
 std::string graph_as_dot(const Graph& graph) {
-  std::map<std::string, std::string> stage_of;  // output -> stage
+  std::map<std::string, std::string> target;  // of an output
   std::map<std::string, int> count;
   std::set<std::pair<std::string, std::string>> arrows;
   for (const Node& node : graph) {
-    stage_of[node.output] = node.stage;
-    ++count[node.stage];
-    for (const auto& [name, output] : node.inputs) arrows.emplace(stage_of.at(output), node.stage);
+    target[node.output] = target_of(node);
+    ++count[target_of(node)];
+    for (const auto& [name, output] : node.inputs) arrows.emplace(target.at(output), target_of(node));
   }
   std::string dot =
       "digraph experiment {\n"
@@ -76,10 +117,19 @@ std::string graph_as_dot(const Graph& graph) {
       "  node [shape=box, style=\"rounded,filled\", fillcolor=\"#f4f4f0\", fontname=\"sans-serif\", "
       "fontsize=11];\n"
       "  edge [color=\"#808080\", arrowsize=0.6];\n";
-  for (const std::string& stage : stages_of(graph)) {
-    const std::string times = count[stage] > 1 ? fmt::format("\\n\u00d7 {}", count[stage]) : "";
-    dot += fmt::format("  \"{}\" [label=\"{}{}\"];\n", stage, stage, times);
+  std::map<std::string, std::string> boxes;  // of a variation
+  std::set<std::string> seen;
+  for (const Node& node : graph) {
+    const std::string name = target_of(node);
+    if (!seen.insert(name).second) continue;
+    const std::string times = count[name] > 1 ? fmt::format("\\n\u00d7 {}", count[name]) : "";
+    boxes[node.variation] += fmt::format("  \"{}\" [label=\"{}{}\"];\n", name, node.stage, times);
   }
+  for (const auto& [variation, text] : boxes)
+    dot += variation.empty()
+               ? text
+               : fmt::format("  subgraph \"cluster_{0}\" {{ label=\"{0}\"; color=\"#808080\";\n{1}  }}\n",
+                             variation, text);
   for (const auto& [from, to] : arrows) dot += fmt::format("  \"{}\" -> \"{}\";\n", from, to);
   return dot + "}\n";
 }

@@ -22,7 +22,7 @@ std::string place(const SettingsSource& source,
                   const std::string& pointer) {
   const auto found = positions.find(pointer);
   if (found == positions.end()) return source.file;
-  return fmt::format("{}:{}:{}", source.file, found->second.line, found->second.column);
+  return fmt::format("{}:{}:{}", found->second.file, found->second.line, found->second.column);
 }
 
 std::string shown(const nlohmann::json& value) {
@@ -203,6 +203,13 @@ void SettingsReader::texts(const char* key, std::vector<std::string>& value, con
       fail(pointer_ + "/" + key + "/" + std::to_string(i), fmt::format("a text ({})", meaning), each);
     value.push_back(each.get<std::string>());
   }
+}
+
+void SettingsReader::raw_table(const char* key, nlohmann::json& value, const char* meaning) {
+  const nlohmann::json* found = find(key, meaning);
+  if (!found) return;
+  require_table(*found, pointer_ + "/" + key, meaning);
+  value = *found;
 }
 
 }  // namespace hbr

@@ -16,9 +16,9 @@
 // Other kinds of field: f.flag(key, bool&, meaning), f.text(key, std::string&, meaning),
 // f.numbers(key, std::vector<double or int>&, Range, meaning), f.texts(key, std::vector<std::string>&,
 // meaning), f.table(key, Struct&, meaning) and f.tables(key, std::vector<Struct>&, meaning) for nested
-// structs. number() takes int, std::int64_t, std::uint64_t or double members; an integer member refuses a
-// fraction. Every key of a description is required and no other is allowed, so a profile says all there is to
-// know.
+// structs, f.raw_table(key, nlohmann::json&, meaning) for a table that is read elsewhere. number() takes int,
+// std::int64_t, std::uint64_t or double members; an integer member refuses a fraction. Every key of a
+// description is required and no other is allowed, so a profile says all there is to know.
 #pragma once
 
 #include <cstdint>
@@ -38,10 +38,11 @@ struct Range {
 // A tree of values and where each of them stands in its file.
 struct SettingsSource {
   struct Position {
+    std::string file;
     std::size_t line = 0, column = 0;
   };
   nlohmann::json values;
-  std::string file;                        // leads every error
+  std::string file;                        // leads every error about what has no position
   std::map<std::string, Position> keys;    // by JSON pointer; empty for a source without lines
   std::map<std::string, Position> places;  // the same of the values
 };
@@ -63,6 +64,7 @@ class SettingsReader {
   void numbers(const char* key, std::vector<double>& value, Range range, const char* meaning);
   void numbers(const char* key, std::vector<int>& value, Range range, const char* meaning);
   void texts(const char* key, std::vector<std::string>& value, const char* meaning);
+  void raw_table(const char* key, nlohmann::json& value, const char* meaning);
 
   template <class S>
   void table(const char* key, S& value, const char* meaning) {
@@ -126,6 +128,7 @@ class SettingsWriter {
     table_[key] = value;
   }
   void texts(const char* key, std::vector<std::string>& value, const char*) { table_[key] = value; }
+  void raw_table(const char* key, nlohmann::json& value, const char*) { table_[key] = value; }
   template <class S>
   void table(const char* key, S& value, const char*) {
     table_[key] = written(value);

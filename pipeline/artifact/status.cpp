@@ -18,8 +18,8 @@ std::vector<Row> rows_of(const Graph& graph, const std::vector<Freshness>& fresh
   std::vector<Row> rows;
   std::map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < graph.size(); ++i) {
-    const auto [found, added] = place.emplace(graph[i].stage, rows.size());
-    if (added) rows.push_back({graph[i].stage, 0, 0, 0, {}});
+    const auto [found, added] = place.emplace(target_of(graph[i]), rows.size());
+    if (added) rows.push_back({found->first, 0, 0, 0, {}});
     Row& row = rows[found->second];
     const Freshness& node = freshness[i];
     (node.state == State::fresh ? row.fresh : node.state == State::missing ? row.missing : row.stale)++;

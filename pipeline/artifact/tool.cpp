@@ -154,6 +154,17 @@ int plan(Arguments& arguments, const Graph& graph) {
   return 0;
 }
 
+// What stages read besides artifacts and is not there.
+int missing(const Arguments& arguments, const Graph& graph) {
+  std::set<fs::path> files;
+  for (const Node& node : graph)
+    for (const std::string& source : node.sources)
+      if (const fs::path path = arguments.workspace.repository / source; !fs::exists(path))
+        files.insert(path);
+  for (const fs::path& file : files) fmt::print("{}\n", file.string());
+  return 0;
+}
+
 int run(Arguments& arguments) {
   if (const char* make_process = std::getenv("HBR_MAKE")) {
     end_with_parent(std::atoi(make_process));
@@ -206,6 +217,7 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
   make_command->add_option("--make", a.make, "the make to use");
   make_command->add_option("--parent", a.parent, "the process with which to end");
   CLI::App* const plan_command = add_for_profile("plan", "check the profile and list what make would run");
+  CLI::App* const missing_command = add_for_profile("missing", "list the files that stages read and lack");
   CLI::App* const status_command = add_for_profile("status", "tell what is fresh, stale or missing, and why");
   CLI::App* const audit_command =
       add_for_profile("audit", "read every artifact again and compare it with its manifest");
@@ -232,6 +244,7 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
     }
     if (audit_command->parsed()) return tell_audit(a, graph);
     if (plan_command->parsed()) return plan(a, graph);
+    if (missing_command->parsed()) return missing(a, graph);
     HBR_CHECK(make_command->parsed(), "no command");
     return make(a, graph, all);
   });

@@ -1,113 +1,13 @@
 // The experiment itself, tiny: all its stages, through the tool and a real make.
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <regex>
-
-#include "tests/end_to_end/fake_folder.h"
-#include "tests/models/autoencoder/images.h"
-#include "tests/models/dataset/idx_fixture.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/end_to_end/tiny_experiment.h"
 
 namespace hbr {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-// The reduced profile with other numbers.
-class Profile {
- public:
-  Profile() : text_(read(std::string(HBR_SOURCE_DIR) + "/stages/profiles/reduced.toml")) {}
-
-  // The first such key after the header of a table; "" is the head of the file.
-  void set(const std::string& table, const std::string& key, const std::string& value) {
-    const std::size_t from = table.empty() ? 0 : text_.find("[" + table + "]");
-    std::smatch found;
-    if (from == std::string::npos || !std::regex_search(text_.cbegin() + static_cast<std::ptrdiff_t>(from),
-                                                        text_.cend(), found, assignment(key)))
-      throw std::runtime_error(fmt::format("the reduced profile has no {} {}", table, key));
-    text_.replace(from + static_cast<std::size_t>(found.position()), static_cast<std::size_t>(found.length()),
-                  fmt::format("\n{} = {}", key, value));
-  }
-  void set_everywhere(const std::string& key, const std::string& value) {
-    text_ = std::regex_replace(text_, assignment(key), fmt::format("\n{} = {}", key, value));
-  }
-  void write(const fs::path& path) const { std::ofstream(path) << text_; }
-
- private:
-  static std::regex assignment(const std::string& key) {
-    return std::regex(fmt::format("\n{} = (\\[[^\\]]*\\]|[^\n]*)", key));
-  }
-  std::string text_;
-};
-
-class Experiment {
- public:
-  Experiment() {
-    write_images("train", 200);
-    write_images("t10k", 100);
-    profile.set("", "name", "\"tiny\"");
-    profile.set("replications", "lines", "1");
-    profile.set("replications", "digits", "1");
-    profile.set("dataset", "name", "\"strokes\"");
-    profile.set("dataset", "folder", fmt::format("\"{}\"", folder_.path().string()));
-    profile.set("dataset", "sha256", "[]");
-    profile.set("autoencoder", "epochs", "6");
-    profile.set("autoencoder", "batch", "10");
-    profile.set("judge", "training_images", "200");
-    profile.set("judge", "bumps", "50");
-    profile.set("random_strokes", "images", "50");
-    profile.set("search", "batch", "50");
-    profile.set("experiments", "accuracy_requests", "200");
-    profile.set_everywhere("generations", "20");
-    profile.set_everywhere("samples", "3");
-  }
-
-  fs::path out(const std::string& name) const { return folder_.path() / name; }
-  Outcome make(const std::string& name, int threads) const {
-    profile.write(folder_.path() / "profile.toml");
-    return shell("cd " HBR_SOURCE_DIR " && " HBR_BINARY_DIR "/bin/hbr make --profile " +
-                 (folder_.path() / "profile.toml").string() + " --out " + out(name).string() + " --threads " +
-                 std::to_string(threads));
-  }
-
-  // The bytes of all artifacts, without the plan and the manifests beside them.
-  std::map<std::string, std::string> artifacts(const std::string& name) const {
-    std::map<std::string, std::string> all;
-    for (const auto& entry : fs::recursive_directory_iterator(out(name))) {
-      const fs::path path = entry.path(), below = path.lexically_relative(out(name));
-      fs::path described = path;
-      described.replace_extension();
-      const bool manifest =
-          path.extension() == ".json" && (fs::exists(described) || fs::exists(described.string() + ".h5"));
-      if (entry.is_regular_file() && *below.begin() != ".plan" && !manifest) all[below.string()] = read(path);
-    }
-    return all;
-  }
-
-  Profile profile;
-
- private:
-  void write_images(const std::string& half, int n) const {
-    const auto write = [&](const std::string& name, const Bytes& bytes) {
-      std::ofstream(folder_.path() / (half + name), std::ios::binary)
-          .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    };
-    const auto count = static_cast<std::uint32_t>(n);
-    Bytes labels;
-    for (int i = 0; i < n; ++i) labels.push_back(static_cast<std::uint8_t>(i % 10));
-    write("-images-idx3-ubyte", idx_bytes({count, 28, 28}, stroke_images(n, Seed(1).child(half))));
-    write("-labels-idx1-ubyte", idx_bytes({count}, labels));
-  }
-  TemporaryFolder folder_;
-};
 
 std::vector<std::string> words(const std::string& text) {
   std::istringstream stream(text);
@@ -116,7 +16,7 @@ std::vector<std::string> words(const std::string& text) {
 
 // One test, since all begins with the whole experiment.
 TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
-  Experiment experiment;
+  TinyExperiment experiment;
   const Outcome first = experiment.make("one", 1), second = experiment.make("two", 2);
   ASSERT_EQ(first.code, 0) << first.text;
   ASSERT_EQ(second.code, 0) << second.text;

@@ -1,0 +1,157 @@
+// The profiles, what they plan, and what a profile's mistakes read like.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <map>
+
+#include "pipeline/artifact/freshness.h"
+#include "pipeline/artifact/profile.h"
+#include "pipeline/core/check.h"
+#include "stages/experiment.h"
+#include "stages/profile.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+
+const fs::path kProfiles = fs::path(HBR_SOURCE_DIR) / "stages/profiles";
+
+std::map<std::string, Node> by_output(const Graph& graph) {
+  std::map<std::string, Node> nodes;
+  for (const Node& node : graph) nodes.emplace(node.output, node);
+  return nodes;
+}
+
+TEST(Profiles, AllThatAreThereCanBePlanned) {
+  int profiles = 0;
+  for (const auto& entry : fs::directory_iterator(kProfiles)) {
+    SCOPED_TRACE(entry.path());
+    const Graph graph = experiment_graph(entry.path());
+    EXPECT_NO_THROW(check_graph(graph));
+    EXPECT_EQ(settings_from_source<Profile>(read_inheriting(entry.path())).name, entry.path().stem());
+    ++profiles;
+  }
+  EXPECT_GE(profiles, 3);
+}
+
+// Without digits no stage asks for a dataset, a network or a robot.
+TEST(Profiles, LinesNeedNoDataset) {
+  const Graph paper = experiment_graph(kProfiles / "paper.toml"),
+              lines = experiment_graph(kProfiles / "lines.toml");
+  const auto all = by_output(paper);
+  for (const Node& node : lines) {
+    if (node.stage == "statistics" || node.stage == "report") continue;
+    EXPECT_TRUE(node.sources.empty()) << node.output;
+    ASSERT_TRUE(all.contains(node.output)) << node.output;
+    EXPECT_EQ(node.settings, all.at(node.output).settings) << node.output;
+  }
+  EXPECT_FALSE(by_output(lines).contains("dataset.h5"));
+  EXPECT_TRUE(by_output(lines).contains("flat_arcs/49.h5"));
+}
+
+// "layer2.variants", "layer4.pencil.framing": what selects a reading is a key of the profile.
+TEST(Profiles, EveryOptionOfTheLedgerIsAKey) {
+  const json keys =
+      settings_to_json(settings_from_source<Profile>(read_inheriting(kProfiles / "paper.toml")));
+  const json readings = read_toml(fs::path(HBR_SOURCE_DIR) / "reports/readings.toml").values["readings"];
+  int options = 0;
+  for (const json& reading : readings) {
+    std::string pointer = "/" + reading["option"].get<std::string>();
+    if (pointer == "/") continue;
+    std::replace(pointer.begin(), pointer.end(), '.', '/');
+    EXPECT_TRUE(keys.contains(json::json_pointer(pointer))) << reading["id"] << ": " << reading["option"];
+    ++options;
+  }
+  EXPECT_GT(options, 10);
+}
+
+class Variations : public testing::Test {
+ protected:
+  // lines.toml with fewer replications and these variations.
+  fs::path profile(const std::string& variations) const {
+    const fs::path path = folder_.path() / "mine.toml";
+    std::ofstream(path) << "base = \"" << (kProfiles / "lines.toml").string()
+                        << "\"\nname = \"mine\"\nreplications.lines = 2\n"
+                        << variations;
+    return path;
+  }
+  Graph graph(const std::string& variations) const { return experiment_graph(profile(variations)); }
+  // Without the folder's name.
+  std::string complaint(const std::string& variations) const {
+    try {
+      graph(variations);
+    } catch (const InputError& error) {
+      const std::string text = error.what(), place = folder_.path().string() + "/";
+      return text.starts_with(place) ? text.substr(place.size()) : text;
+    }
+    return "no complaint";
+  }
+  static std::string variation(const std::string& name, const std::string& set) {
+    return "[[variations]]\nname = \"" + name + "\"\nchanges = \"Something.\"\n" + set + "\n";
+  }
+  TemporaryFolder folder_;
+};
+
+// What a variation runs is what the profile with its keys changed would run.
+TEST_F(Variations, AreTheChangedProfileWithoutWhatItShares) {
+  const auto varied = by_output(graph(variation("short", "set.longest_line = 0.1535")));
+  const auto plain = by_output(graph("")), changed = by_output(graph("longest_line = 0.1535\n"));
+  for (const auto& [output, node] : changed) {
+    if (node.stage == "statistics" || node.stage == "report") continue;
+    const bool shared = node.settings == plain.at(output).settings && node.inputs == plain.at(output).inputs;
+    EXPECT_EQ(shared, node.program == "layer1") << output;
+    ASSERT_EQ(varied.contains("short/" + output), !shared) << output;
+    const Node& run = varied.at(shared ? output : "short/" + output);
+    EXPECT_EQ(run.settings, node.settings) << output;
+    EXPECT_EQ(run.stage, node.stage);
+    EXPECT_EQ(run.program, node.program);
+  }
+  for (const auto& [output, node] : plain)
+    if (node.stage != "report") {
+      EXPECT_EQ(varied.at(output).settings, node.settings) << output;
+    }
+  const Node& statistics = varied.at("short/statistics.json");
+  EXPECT_EQ(statistics.settings["profile"], "mine/short");
+  const std::map<std::string, std::string> inputs(statistics.inputs.begin(), statistics.inputs.end());
+  EXPECT_EQ(inputs.at("layer1/01.h5"), "layer1/01.h5");
+  EXPECT_EQ(inputs.at("layer2_n10/01.h5"), "short/layer2_n10/01.h5");
+}
+
+TEST_F(Variations, AllStandInTheReport) {
+  const auto nodes = by_output(graph(variation("short", "set.longest_line = 0.1535") +
+                                     variation("all_genes", "[variations.set.search]\nmutation_rate = 1")));
+  const Node& page = nodes.at("page");
+  const std::map<std::string, std::string> inputs(page.inputs.begin(), page.inputs.end());
+  EXPECT_TRUE(inputs.contains("short/statistics.json"));
+  EXPECT_TRUE(inputs.contains("all_genes/statistics.json"));
+  EXPECT_FALSE(inputs.contains("short/layer2_n10/00.h5"));
+  EXPECT_EQ(page.settings["variations"][1]["name"], "all_genes");
+  EXPECT_EQ(nodes.at("all_genes/layer1/00.h5").settings["search"]["mutation_rate"], 1.0);
+}
+
+TEST_F(Variations, AreReadAsStrictlyAsTheProfile) {
+  EXPECT_EQ(complaint(variation("v", "set.longest_lin = 0.3")),
+            "mine.toml:7:5: unknown key 'longest_lin' (did you mean 'longest_line'?)");
+  EXPECT_THAT(complaint(variation("v", "set.longest_line = -1")),
+              HasSubstr("mine.toml:7:20: longest_line: expected a number from 0.001 to 100"));
+  EXPECT_THAT(complaint(variation("v", "set.layer3.lines = \"n11\"")),
+              HasSubstr("mine.toml: variation 'v': layer3.lines = 'n11': expected the name of one of"));
+  EXPECT_THAT(complaint(variation("v", "set.name = \"w\"")),
+              HasSubstr("mine.toml:7:5: variation 'v' can't change 'name'"));
+  EXPECT_THAT(complaint(variation("v", "set = 3")), HasSubstr("variations.0.set: expected a table"));
+  EXPECT_THAT(complaint(variation("v", "")), HasSubstr("missing key 'variations.0.set'"));
+  EXPECT_THAT(complaint(variation("v", "set.longest_line = 0.256")), HasSubstr("changes nothing"));
+  EXPECT_THAT(complaint(variation("v", "set.judge.bumps = 10")), HasSubstr("changes nothing"));
+  EXPECT_THAT(complaint(variation("a b", "set.seed = 1")), HasSubstr("expected letters, digits and _"));
+  for (const char* taken : {"layer1", "layer3", "page", "statistics", "all"})
+    EXPECT_THAT(complaint(variation(taken, "set.seed = 1")), HasSubstr("stands twice, or is a stage's"));
+  EXPECT_THAT(complaint(variation("v", "set.seed = 1") + variation("v", "set.seed = 2")),
+              HasSubstr("'v' stands twice"));
+}
+
+}  // namespace
+}  // namespace hbr
