@@ -14,6 +14,7 @@ THREADS ?= 0
 LAUNCH ?=
 DEPS ?= auto
 REP ?=
+BENCH ?=
 export MNIST_DIR
 
 targets := help deps build data all test bench sanitize coverage format check-format status audit graph clean distclean
@@ -32,7 +33,7 @@ help:
 	@echo 'make all             the whole experiment; its report is OUT/report/index.html'
 	@echo 'make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
 	@echo 'make test            build and run all tests'
-	@echo 'make bench           build and run the benchmarks'
+	@echo 'make bench           build and run the benchmarks and keep their table; BENCH=regex: only those, only shown'
 	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers'
 	@echo 'make coverage        all tests, and build/coverage/html: which lines they reach'
 	@echo 'make format          clang-format on all sources; check-format only tells'
@@ -116,9 +117,18 @@ coverage: build/.packages build/coverage/build.ninja
 	@genhtml --quiet --output-directory build/coverage/html build/coverage/own.info
 	@lcov --summary build/coverage/own.info
 
+# Each benchmark's fastest of three repetitions counts. A whole run is kept with the sources.
 bench: build/.packages build/release/build.ninja
-	@$(call compile,release,all)
-	@for bench in $(programs)/bench_*; do "$$bench"; done
+	@$(call compile,release,benchmarks)
+	@rm -rf build/bench && mkdir -p build/bench
+	@for bench in $(programs)/bench_*; do \
+	  results=build/bench/$${bench##*/bench_}; \
+	  "$$bench" --benchmark_filter='$(or $(BENCH),.)' --benchmark_repetitions=3 --benchmark_min_time=0.2 \
+	    --benchmark_display_aggregates_only --benchmark_out=$$results.json >$$results.txt 2>&1 || { cat $$results.txt; exit 1; }; \
+	  [ -s $$results.json ] || rm $$results.json; \
+	done
+	@ls build/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$(BENCH)'" >&2; exit 2; }
+	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' build/bench/*.json
 
 format:
 	@.ci/packages '$(DEPS)' format

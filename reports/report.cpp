@@ -7,6 +7,7 @@
 #include "reports/figures.h"
 #include "reports/html.h"
 #include "reports/ledger.h"
+#include "reports/speed.h"
 #include "reports/template.h"
 #include "reports/verdicts.h"
 
@@ -57,6 +58,7 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
       {"sensitivity", sensitivity_html(sensitivity)},
       {"sensitivity_link", content.variations.empty() ? "" : "<a href=\"#sensitivity\">Sensitivity</a> "},
       {"readings", ledger_html(content.readings)},
+      {"speed", speed_html(content.speed)},
       {"provenance", inventory(content)},
       {"hero", hero(content.artifacts)}};
   for (const Figure& figure : all_figures({content.artifacts, StatisticsView(content.statistics)})) {

@@ -17,6 +17,7 @@ struct ReportContent {
   nlohmann::json claims;      // as evaluate_claims leaves them
   nlohmann::json readings;    // array of {id, title, paper, reading, alternatives, effect}
   std::vector<VariationClaims> variations = {};
+  nlohmann::json speed = {};  // as condense_speed leaves it, or null where nobody measured
 };
 
 // Makes `folder` with index.html (self-contained), statistics.json, claims.json, sensitivity.json where there

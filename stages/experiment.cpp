@@ -328,14 +328,16 @@ void check_variations(const std::string& file, const Profile& profile, const Gra
 
 // The page: everything of the experiment by its own name, and the statistics of every variation.
 Node report_of(const Profile& profile, const Graph& graph) {
-  const std::string claims = "reports/claims.toml", readings = "reports/readings.toml";
-  json settings = {{"claims", claims}, {"readings", readings}, {"variations", json::array()}};
+  const std::string claims = "reports/claims.toml", readings = "reports/readings.toml",
+                    speed = "reports/reference/bench.json";
+  json settings = {
+      {"claims", claims}, {"readings", readings}, {"speed", speed}, {"variations", json::array()}};
   for (const Variation& v : profile.variations)
     settings["variations"].push_back({{"name", v.name}, {"changes", v.changes}});
   std::vector<std::pair<std::string, std::string>> inputs;
   for (const Node& node : graph)
     if (node.variation.empty() || node.stage == "statistics") inputs.emplace_back(node.output, node.output);
-  return {"report", "report", -1, "page", settings, inputs, {claims, readings}};
+  return {"report", "report", -1, "page", settings, inputs, {claims, readings, speed}};
 }
 
 }  // namespace

@@ -22,13 +22,14 @@ void describe(Fields& f, VariationName& s) {
 }
 
 struct ReportSettings {
-  std::string claims, readings;
+  std::string claims, readings, speed;
   std::vector<VariationName> variations;
 };
 template <class Fields>
 void describe(Fields& f, ReportSettings& s) {
   f.text("claims", s.claims, "file of the paper's claims");
   f.text("readings", s.readings, "file of the readings");
+  f.text("speed", s.speed, "file of the benchmarks' table");
   f.tables("variations", s.variations, "other readings, run beside this one");
 }
 
@@ -50,10 +51,10 @@ void run(StageRun& stage) {
     const nlohmann::json own = read_json(stage.input(v.name + "/statistics.json"));
     variations.push_back({v.name, v.changes, evaluate_claims(settings.claims, own)});
   }
-  write_report(
-      {statistics.at("profile"), Artifacts(artifacts), statistics,
-       evaluate_claims(settings.claims, statistics), read_readings(settings.readings), std::move(variations)},
-      stage.output());
+  write_report({statistics.at("profile"), Artifacts(artifacts), statistics,
+                evaluate_claims(settings.claims, statistics), read_readings(settings.readings),
+                std::move(variations), read_json(settings.speed)},
+               stage.output());
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ double peak() {
 }
 
 void report(benchmark::State& state, double images, double operations) {
-  state.counters["images"] = benchmark::Counter(images, benchmark::Counter::kIsRate);
+  state.SetItemsProcessed(static_cast<std::int64_t>(images));
   state.counters["of_peak"] = benchmark::Counter(images * operations / peak(), benchmark::Counter::kIsRate);
 }
 

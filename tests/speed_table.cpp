@@ -1,0 +1,21 @@
+// speed_table ROWS KEEP RESULT...: prints the table of the benchmarks' results; KEEP is the file that keeps
+// it, or
+// "", where only some of the benchmarks were run.
+#include <fmt/format.h>
+
+#include "pipeline/core/check.h"
+#include "reports/figure.h"
+#include "reports/speed.h"
+
+int main(int argc, char** argv) try {
+  if (argc < 4) throw hbr::InputError("speed_table: expected ROWS KEEP RESULT...");
+  const std::string keep = argv[2];
+  const nlohmann::json speed =
+      hbr::condense_speed(argv[1], {argv + 3, argv + argc}, HBR_FLAGS, !keep.empty());
+  if (!keep.empty()) hbr::write_file(keep, speed.dump(1) + "\n");
+  fmt::print("{}", hbr::speed_markdown(speed));
+  return 0;
+} catch (const hbr::InputError& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return 2;
+}
