@@ -18,6 +18,7 @@ struct Evidence {
 };
 
 Figure points_figure(const Evidence& evidence);        // layer 1: size and mean fitness
+Figure searches_figure(const Evidence& evidence);      // layer 1 by other containers and selectors
 Figure autoencoder_figure(const Evidence& evidence);   // Fig. notation, bottom: learning, latent space
 Figure digits_figure(const Evidence& evidence);        // Fig. main_res
 Figure judge_figure(const Evidence& evidence);         // what the classifier says of the digits

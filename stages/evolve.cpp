@@ -17,14 +17,12 @@ namespace {
 
 constexpr std::chrono::seconds kCheckpointEvery{20};
 
+// `centroids`: of the cvt container.
 std::unique_ptr<Repertoire> make_repertoire(const SearchTable& t, int genes, int size, DescriptorRange range,
-                                            Seed seed) {
+                                            const Rows& centroids) {
   if (t.container == "grid")
-    return std::make_unique<GridArchive>(genes, size, t.grid_cells, range.low, range.high);
-  if (t.container == "cvt")
-    return make_cvt_archive(genes,
-                            cvt_centroids(t.cvt_cells, size, range.low, range.high, seed.child("centroids")),
-                            range.low, range.high);
+    return std::make_unique<GridArchive>(genes, GridCells{size, t.grid_cells, range.low, range.high});
+  if (t.container == "cvt") return make_cvt_archive(genes, centroids, range.low, range.high);
   return make_distance_archive(
       genes, size,
       {static_cast<float>(t.spacing), static_cast<float>(t.epsilon), t.neighbours, range.low, range.high,
@@ -70,7 +68,10 @@ SearchState read_checkpoint(const std::filesystem::path& path) {
 void evolve(StageRun& stage, const SearchTable& table, const Variation& variation, const Evaluator& evaluator,
             Seed seed, DescriptorRange range, const std::function<void(Hdf5Writer&, const Elites&)>& more) {
   const int size = evaluator.descriptor_size();
-  const auto repertoire = make_repertoire(table, variation.genes(), size, range, seed);
+  Rows centroids;
+  if (table.container == "cvt")
+    centroids = cvt_centroids(table.cvt_cells, size, range.low, range.high, seed.child("centroids"));
+  const auto repertoire = make_repertoire(table, variation.genes(), size, range, centroids);
   const auto selector = make_selector(table, size, range);
   Search search(*repertoire, *selector, variation, evaluator,
                 {table.generations, table.batch, table.record_every,
@@ -97,6 +98,10 @@ void evolve(StageRun& stage, const SearchTable& table, const Variation& variatio
   if (variation.fixed_length()) elites.length.clear();
   Hdf5Writer file(stage.output());
   write_elites(file, elites, search.progress());
+  if (centroids.size() > 0)
+    file.write("centroids",
+               {static_cast<std::size_t>(centroids.rows()), static_cast<std::size_t>(centroids.cols())},
+               centroids.data());
   stage.write_settings(file);
   if (more) more(file, elites);
   file.close();

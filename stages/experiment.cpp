@@ -54,6 +54,7 @@ class Experiment {
       arcs(r);
       experiments(r);
     }
+    searches();
     for (int r = 0; r < p_.replications.digits; ++r) digits(r);
     for (const RobotSettings& robot : p_.robots) transfer(robot);
     statistics();
@@ -88,6 +89,7 @@ class Experiment {
     check_names("layer2.variants", p_.layer2.variants);
     check_names("layer3.variants", p_.layer3.variants);
     check_names("robots", p_.robots);
+    check_names("searches.variants", p_.searches.variants);
     named(p_.layer2.variants, p_.layer3.lines, "layer3.lines", "layer2.variants");
     named(p_.layer3.variants, p_.layer4.arcs, "layer4.arcs", "layer3.variants");
     named(p_.layer3.variants, p_.experiments.substitution_variant, "experiments.substitution_variant",
@@ -156,6 +158,26 @@ class Experiment {
     const json s = with(arm(r), {{"search", search(p_.layer1, p_.layer1)}});
     add("layer1", "layer1", r, with(s, {{"cost", "joint_variance"}}), {});
     add("layer1", "layer1_substitute", r, with(s, {{"cost", "few_joints"}}), {});
+  }
+
+  // Layer 1 by searches made of other parts, and what they come to on one grid.
+  void searches() {
+    Inputs inputs;
+    for (const SearchVariant& v : p_.searches.variants)
+      for (int r = 0; r < p_.searches.replications; ++r) {
+        const json parts{{"container", v.search.container}, {"selector", v.search.selector}};
+        const std::string stage = "layer1_search_" + v.name;
+        add("layer1", stage, r,
+            with(arm(r), {{"cost", "joint_variance"},
+                          {"search", with(search(p_.layer1, p_.searches.search), parts)}}),
+            {});
+        inputs.emplace_back(fmt::format("{}/{:02}", v.name, r), numbered(stage, r));
+      }
+    if (inputs.empty()) return;
+    // Values in [-a, a] have a variance of at most a^2.
+    const double worst_fitness = -p_.arm.joint_limit * p_.arm.joint_limit;
+    add("searches", "searches", -1,
+        {{"passive_cells", p_.searches.passive_cells}, {"worst_fitness", worst_fitness}}, inputs);
   }
 
   void lines(int r) {

@@ -120,6 +120,31 @@ void describe(Fields& f, ExperimentsTable& s) {
          "layer-3 variant that is executed over both layers 1");
 }
 
+struct SearchVariant {
+  std::string name;
+  SearchTable search;
+};
+template <class Fields>
+void describe(Fields& f, SearchVariant& s) {
+  f.text("name", s.name, "the stage is layer1_search_NAME");
+  describe_algorithm(f, s.search);
+}
+
+struct SearchesTable {
+  int replications = 0;
+  SearchTable search;
+  int passive_cells = 0;
+  std::vector<SearchVariant> variants;
+};
+template <class Fields>
+void describe(Fields& f, SearchesTable& s) {
+  f.number("replications", s.replications, Range{0, 999}, "of every search");
+  describe_generations(f, s.search);
+  f.number("passive_cells", s.passive_cells, Range{1, 1e4},
+           "cells a side of the grid on which the repertoires are compared");
+  f.tables("variants", s.variants, "what is compared");
+}
+
 // The same experiment with some keys changed: what it does not touch is not run again.
 struct Variation {
   std::string name;
@@ -146,6 +171,7 @@ struct Profile {
   double longest_line = 0;
   SharedSearch search;
   LayerTable layer1;
+  SearchesTable searches;
   Layer2Table layer2;
   GenerationsTable reference4d;
   Layer3Table layer3;
@@ -171,6 +197,7 @@ void describe(Fields& f, Profile& s) {
   f.number("longest_line", s.longest_line, Range{1e-3, 100}, "rho: longest displacement of a line, m");
   f.table("search", s.search, "what all searches share");
   f.table("layer1", s.layer1, "points, and their substitute");
+  f.table("searches", s.searches, "points by other searches");
   f.table("layer2", s.layer2, "lines");
   f.table("reference4d", s.reference4d, "lines with a four-dimensional descriptor");
   f.table("layer3", s.layer3, "arcs");

@@ -36,20 +36,25 @@ struct SearchTable {
   double mutation_eta = 0;
 };
 
+// Which elites are kept and which are bred from.
+template <class Fields>
+void describe_algorithm(Fields& f, SearchTable& s) {
+  f.choice(
+      "container", s.container, {"distance", "local_competition", "grid", "cvt"},
+      "distance: the unstructured archive; local_competition: the same, where the fitter of two near ones "
+      "stays; grid: MAP-Elites; cvt: CVT-MAP-Elites");
+  f.choice("selector", s.selector, {"curiosity", "uniform", "fitness", "novelty", "nslc"},
+           "how parents are drawn; nslc: Pareto fronts of novelty and local competition");
+}
 // The part of a search that all layers share, [search] in a profile.
 template <class Fields>
 void describe_search(Fields& f, SearchTable& s) {
   f.number("batch", s.batch, Range{1, 1e6}, "children of a generation (pop_size)");
   f.number("record_every", s.record_every, Range{1, 1e9}, "generations between two rows of progress");
-  f.choice(
-      "container", s.container, {"distance", "local_competition", "grid", "cvt"},
-      "distance: the unstructured archive; local_competition: the same, where the fitter of two near ones "
-      "stays; grid: MAP-Elites; cvt: CVT-MAP-Elites");
+  describe_algorithm(f, s);
   f.number("neighbours", s.neighbours, Range{1, 32}, "k: neighbours that the novelty score averages");
   f.number("grid_cells", s.grid_cells, Range{1, 1e4}, "cells a side of the grid container");
   f.number("cvt_cells", s.cvt_cells, Range{1, 1e6}, "cells of the cvt container");
-  f.choice("selector", s.selector, {"curiosity", "uniform", "fitness", "novelty", "nslc"},
-           "how parents are drawn; nslc: Pareto fronts of novelty and local competition");
   f.choice("curiosity_credit", s.curiosity_credit, {"parent", "published"},
            "whom a child counts for: its own parent, or that of some sibling as in the published program");
   f.number("mutation_rate", s.mutation_rate, Range{0, 1}, "probability that a gene mutates");
@@ -198,6 +203,17 @@ void describe(Fields& f, FlatDigitsEvolution& s) {
   f.table("pencil", s.pencil, "from trace to image");
   f.number("length_rate", s.length_rate, Range{0, 1}, "probability that a set is added or removed");
   f.table("search", s.search, "the search");
+}
+
+struct SearchesSlice {
+  int passive_cells = 0;
+  double worst_fitness = 0;
+};
+template <class Fields>
+void describe(Fields& f, SearchesSlice& s) {
+  f.number("passive_cells", s.passive_cells, Range{1, 1e4},
+           "cells a side of the grid that all repertoires are projected onto");
+  f.number("worst_fitness", s.worst_fitness, Range{-1e9, 0}, "a fitness that no elite falls short of");
 }
 
 struct AccuracySlice : LinesSlice {

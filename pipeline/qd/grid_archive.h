@@ -5,16 +5,23 @@
 
 namespace hbr {
 
+// The box [low, high]^d in `cells` cells a side; a descriptor outside belongs to the nearest cell.
+struct GridCells {
+  int descriptor_size, cells;
+  float low, high;
+
+  std::size_t size() const;  // cells^d
+  std::size_t cell_of(const float* descriptor) const;
+};
+
 class GridArchive final : public CellArchive {
  public:
-  // The box [low, high]^d in `cells` cells a side; a descriptor outside belongs to the nearest cell.
-  GridArchive(int genes, int descriptor_size, int cells, float low, float high);
+  GridArchive(int genes, const GridCells& cells)
+      : CellArchive(genes, cells.descriptor_size, cells.size()), cells_(cells) {}
 
  private:
-  std::size_t cell_of(const float* descriptor) const override;
-
-  int cells_;
-  float low_, high_;
+  std::size_t cell_of(const float* descriptor) const override { return cells_.cell_of(descriptor); }
+  GridCells cells_;
 };
 
 }  // namespace hbr

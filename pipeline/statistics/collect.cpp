@@ -21,6 +21,9 @@ std::string first_word(const std::string& name) { return name.substr(0, name.fin
 std::string family(const Split& name) {
   const std::string head = first_word(name.subject);
   if (name.measure == "evaluations") return "";
+  if (head == "layer1_search")
+    return name.measure == "coverage" || name.measure == "qd_score" || name.measure == "mean" ? "searches"
+                                                                                              : "";
   if (head == "layer2" || head == "reference4d") return name.measure == "size" ? "lines" : "";  // no fitness
   if (head == "layer3" || head == "flat_arcs") return "arcs";
   if (head == "layer4" || head == "flat_digits") return "drawings";
@@ -56,6 +59,7 @@ nlohmann::json collect_statistics(const std::string& profile,
   }
   StatisticsTable table(profile);
   read_searches(artifacts, table);
+  read_comparison(artifacts["searches"], table);
   read_autoencoders(artifacts["autoencoder"], table);
   read_judge(artifacts["judge"], table);
   read_accuracy(artifacts["accuracy"], table);

@@ -21,12 +21,14 @@ struct Head {
 
 constexpr std::array kHeads = {
     Head{"layer1", "layer 1 (points)", true, true},
+    Head{"layer1_search", "layer 1 (points)", true, false},
     Head{"layer2", "layer 2 (lines)", true, false},
     Head{"reference4d", "four-dimensional reference (lines)", true, false},
     Head{"layer3", "layer 3 (arcs)", true, false},
     Head{"flat_arcs", "flat baseline (arcs)", true, false},
     Head{"layer4", "layer 4 (digits)", true, false},
     Head{"flat_digits", "flat baseline (digits)", true, false},
+    Head{"searches", "searches compared", false, false},
     Head{"autoencoder", "autoencoder", false, false},
     Head{"judge", "judge", false, false},
     Head{"dataset", "dataset", false, false},
@@ -67,6 +69,15 @@ constexpr std::array kOfSearch = {
     Entry{"genes", "genes", "{}: genes of a genome (the longest)"},
 };
 
+// Of searches projected onto one passive grid.
+constexpr std::array kOfCells = {
+    Entry{"coverage", "",
+          "{}: share of the cells of a common grid that it fills, of those that any search fills"},
+    Entry{"qd_score", "fitness",
+          "{}: sum over the cells of a common grid of the best fitness above the worst there can be"},
+    Entry{"cell_mean", "fitness", "{}: mean over the filled cells of a common grid of the best fitness"},
+};
+
 constexpr std::array kOfDigits = {
     Entry{"cells", "", "{}: share of the cells of side 0.1 of the latent square that hold an elite"},
     Entry{"classes", "classes", "{}: classes with at least three good images"},
@@ -97,6 +108,9 @@ constexpr std::array kOfTransfer = {
 
 constexpr std::array kSingle = {
     Entry{"accuracy.requests", "requests", "accuracy: lines requested of a repertoire"},
+    Entry{"searches.passive_cells", "cells", "searches compared: cells a side of the common grid"},
+    Entry{"searches.filled_by_any", "cells", "searches compared: cells of the common grid that any fills"},
+    Entry{"searches.worst_fitness", "fitness", "searches compared: a fitness that no elite falls short of"},
     Entry{"autoencoder.test_error", "", "autoencoder: mean squared error per pixel on the test images"},
     Entry{"autoencoder.kept", "", "autoencoder: share of the training images kept by the cut"},
     Entry{"autoencoder.reach", "", "autoencoder: greatest absolute latent coordinate of the test images"},
@@ -149,6 +163,7 @@ std::optional<Meaning> of_search(const std::vector<std::string>& parts) {
   const Head* head = find_head(parts[0]);
   if (!head || !head->search || parts.size() < 2 || parts.size() > 3) return {};
   const Entry* entry = find_entry(kOfSearch, parts.back());
+  if (!entry && parts[0] == "layer1_search") entry = find_entry(kOfCells, parts.back());
   if (!entry) return {};
   const std::string variant = parts.size() == 3 ? ", " + variant_words(parts[1]) : "";
   return make(*entry, head->words + variant);

@@ -24,6 +24,21 @@ std::string without_layer(const std::string& name) {
 
 }  // namespace
 
+void read_comparison(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  for (const Artifact& artifact : artifacts) {
+    const Hdf5Reader file(artifact.path);
+    table.number("searches.passive_cells", file.number_attribute("settings.passive_cells"));
+    table.number("searches.worst_fitness", file.number_attribute("settings.worst_fitness"));
+    table.number("searches.filled_by_any", file.number_attribute("filled_by_any"));
+    for (const std::string& search : file.children("/"))
+      for (const char* measure : {"coverage", "qd_score", "cell_mean"}) {
+        const std::vector<double> values = file.read<double>(search + "/" + measure).values;
+        for (std::size_t r = 0; r < values.size(); ++r)
+          table.add("layer1_search." + search + "." + measure, static_cast<int>(r), values[r]);
+      }
+  }
+}
+
 void read_accuracy(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
   for (const Artifact& artifact : artifacts) {
     const Hdf5Reader file(artifact.path);

@@ -65,6 +65,8 @@ class TinyExperiment {
     profile.set("random_strokes", "images", "50");
     profile.set("search", "batch", "50");
     profile.set("search", "record_every", "10");
+    profile.set("search", "cvt_cells", "200");
+    profile.set("searches", "replications", "2");
     profile.set("experiments", "accuracy_requests", "200");
     profile.set("experiments", "fresh_starts", "20");
     profile.set_everywhere("generations", "20");

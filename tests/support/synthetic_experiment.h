@@ -179,12 +179,39 @@ class SyntheticExperiment {
     artifacts_[name] = path;
   }
 
+  // Layer 1 by other searches, and what they come to on a common grid: each covers less than the one before.
+  void searches(const std::vector<std::string>& names, int generations) {
+    const std::filesystem::path path = folder_ / "searches.h5";
+    Hdf5Writer file(path);
+    file.attribute("settings.passive_cells", std::int64_t{50});
+    file.attribute("settings.worst_fitness", -2.467);
+    file.attribute("filled_by_any", 1600.0);
+    double coverage = 1;
+    for (const std::string& name : names) {
+      search("layer1_search_" + name, static_cast<int>(450 * coverage), 8, -0.001, -0.06, generations);
+      std::vector<double> share, score, mean;
+      Rng rng(Seed(7).child(name));
+      for (int r = 0; r < replications_; ++r) {
+        share.push_back(coverage * (1 - 0.01 * rng.uniform_double()));
+        mean.push_back(-0.05 * (1 + 0.1 * rng.uniform_double()));
+        score.push_back(1600 * share.back() * (2.467 + mean.back()));
+      }
+      file.write(name + "/coverage", share);
+      file.write(name + "/qd_score", score);
+      file.write(name + "/cell_mean", mean);
+      coverage *= 0.95;
+    }
+    file.close();
+    artifacts_["searches.h5"] = path;
+  }
+
   // Everything, with the generations of the paper divided by `shorter`.
   void everything(int shorter) {
     const int g = 10000 / shorter;
     search("layer1", 500, 8, -0.001, -0.055, g);
     search("layer1_substitute", 480, 8, -0.0005, -0.01, g);
     search("nao_layer1", 450, 4, -0.001, -0.05, g);
+    searches({"curiosity", "nslc", "grid", "cvt"}, g);
     search("layer2_n1", 147, 2, 0, 0, g);
     search("layer2_n10_short", 126, 2, 0, 0, g / 10, 10);
     search("layer2_n10", 138, 2, 0, 0, g, 10);

@@ -62,22 +62,23 @@ inline std::vector<Container> all_containers() {
         nearest = c;
     return nearest;
   };
-  return {
-      {"distance", distance(Contest::kDominance), apart, false},
-      {"local_competition", distance(Contest::kFitness), apart, false},
-      {"grid",
-       [](int genes, int d) { return std::make_unique<GridArchive>(genes, d, test_cells(d), 0.0f, 1.0f); },
-       [cell](const float* a, const float* b, int d) {
-         for (int i = 0; i < d; ++i)
-           if (cell(a[i], test_cells(d)) != cell(b[i], test_cells(d))) return false;
-         return true;
-       },
-       true},
-      {"cvt", [](int genes, int d) { return make_cvt_archive(genes, test_centroids(d), 0, 1); },
-       [centroid](const float* a, const float* b, int d) {
-         return centroid(test_centroids(d), a) == centroid(test_centroids(d), b);
-       },
-       true}};
+  return {{"distance", distance(Contest::kDominance), apart, false},
+          {"local_competition", distance(Contest::kFitness), apart, false},
+          {"grid",
+           [](int genes, int d) {
+             return std::make_unique<GridArchive>(genes, GridCells{d, test_cells(d), 0, 1});
+           },
+           [cell](const float* a, const float* b, int d) {
+             for (int i = 0; i < d; ++i)
+               if (cell(a[i], test_cells(d)) != cell(b[i], test_cells(d))) return false;
+             return true;
+           },
+           true},
+          {"cvt", [](int genes, int d) { return make_cvt_archive(genes, test_centroids(d), 0, 1); },
+           [centroid](const float* a, const float* b, int d) {
+             return centroid(test_centroids(d), a) == centroid(test_centroids(d), b);
+           },
+           true}};
 }
 
 struct SelectorKind {

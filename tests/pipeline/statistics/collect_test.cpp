@@ -118,6 +118,25 @@ TEST(Collect, MediansOfAccuracyAndSubstitution) {
                                           "substitution.m3.original_vs_substitution.m3.substitute"));
 }
 
+TEST(Collect, SearchesOnACommonGrid) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 3);
+  experiment.searches({"curiosity", "local_curiosity"}, 100);
+  const json found = collect_statistics("tiny", experiment.artifacts());
+  const Hdf5Reader file(folder.path() / "searches.h5");
+  for (const std::string search : {"curiosity", "local_curiosity"}) {
+    for (const std::string measure : {"coverage", "qd_score", "cell_mean"}) {
+      const json& quantity = found["quantities"]["layer1_search." + search + "." + measure];
+      EXPECT_EQ(quantity["values"], file.read<double>(search + "/" + measure).values) << search << measure;
+      EXPECT_EQ(quantity["replications"], (std::vector<int>{0, 1, 2}));
+    }
+    EXPECT_EQ(found["quantities"]["layer1_search." + search + ".size"]["n"], 3);
+  }
+  EXPECT_EQ(found["numbers"]["searches.filled_by_any"]["value"], 1600);
+  EXPECT_TRUE(found["tests"].contains("layer1_search.curiosity.mean_vs_layer1_search.local_curiosity.mean"));
+  EXPECT_FALSE(meaning_of("layer1.coverage"));
+}
+
 TEST(Collect, TransferWithoutItsOutliers) {
   TemporaryFolder folder;
   SyntheticExperiment experiment(folder.path(), 2);
