@@ -18,14 +18,11 @@ void run(hbr::StageRun& stage) {
   stage.write_settings(file);
   for (const hbr::ArcVariantTable& variant : s.variants) {
     const hbr::Elites elites = hbr::read_elites(stage.input("layer3_" + variant.name));
-    const hbr::ArcEvaluator once(points, lines, frame, hbr::arc_controller(variant.controller), 1);
+    const hbr::ArcEvaluator arcs(points, lines, frame, hbr::arc_controller(variant.controller),
+                                 s.fresh_starts, hbr::make_reading(s.reading));
     std::vector<float> fresh(elites.size());
-    workers.for_each(fresh.size(), [&](std::size_t i) {
-      hbr::Rng rng(seed.child(variant.name).child(i));
-      double sum = 0;
-      for (int start = 0; start < s.fresh_starts; ++start)
-        sum += once.execute(elites.solution.row(i).data(), rng).fitness();
-      fresh[i] = static_cast<float>(sum / s.fresh_starts);
+    workers.for_ranges(fresh.size(), 16, [&](std::size_t begin, std::size_t end) {
+      arcs.mean_fitness(elites.solution, begin, end, seed.child(variant.name), &fresh[begin]);
     });
     file.write(variant.name + "/stored", {fresh.size()}, elites.objective.data());
     file.write(variant.name + "/fresh", fresh);

@@ -113,7 +113,12 @@ PolynomialMutation fixed_length(int genes, const SearchTable& table) {
 
 PlanarArm make_arm(const ArmTable& table) { return {table.links, table.joint_limit}; }
 
-Frame make_frame(const LinesSlice& slice) { return {slice.half_side, slice.longest_line}; }
+Frame make_frame(const LinesSlice& slice) {
+  return {slice.half_side, slice.longest_line,
+          slice.line_range == "square" ? LineRange::kSquare : LineRange::kDisc};
+}
+
+ArcReading make_reading(const ArcReadingTable& table) { return arc_reading(table.centre, table.joint_term); }
 
 Pencil make_pencil(const PencilTable& table) {
   return {framing_named(table.framing), table.thinnest_px, table.thickest_px};

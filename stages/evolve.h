@@ -30,6 +30,7 @@ PolynomialMutation fixed_length(int genes, const SearchTable& table);
 // The bodies and layers that slices name.
 PlanarArm make_arm(const ArmTable& table);
 Frame make_frame(const LinesSlice& slice);
+ArcReading make_reading(const ArcReadingTable& table);
 Pencil make_pencil(const PencilTable& table);
 // Layer 1 as in the stage's input `name`, on the planar arm.
 PointLayer read_points(const StageRun& stage, const std::string& name, const Robot& robot,

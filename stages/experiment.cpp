@@ -124,7 +124,11 @@ class Experiment {
   json lines_slice(int replication) const {
     json s = arm(replication);
     s["longest_line"] = p_.longest_line;
+    s["line_range"] = p_.line_range;
     return s;
+  }
+  json arcs_slice(int replication) const {
+    return with(lines_slice(replication), {{"reading", settings_to_json(p_.layer3.reading)}});
   }
   static json with(json settings, const json& more) {
     settings.update(more);
@@ -193,12 +197,14 @@ class Experiment {
   void arcs(int r) {
     for (const ArcVariant& v : p_.layer3.variants)
       add("layer3", "layer3_" + v.name, r,
-          with(lines_slice(r), {{"controller", v.controller},
-                                {"samples", v.samples},
-                                {"search", search(p_.layer3.archive, v.search)}}),
+          with(arcs_slice(r), {{"controller", v.controller},
+                               {"samples", v.samples},
+                               {"search", search(p_.layer3.archive, v.search)}}),
           {{"layer1", numbered("layer1", r)}, {"layer2", numbered("layer2_" + p_.layer3.lines, r)}});
     add("flat_arcs", "flat_arcs", r,
-        with(lines_slice(r), {{"search", search(p_.layer3.archive, p_.flat_arcs)}}), {});
+        with(arcs_slice(r),
+             {{"start", p_.flat_arcs.start}, {"search", search(p_.layer3.archive, p_.flat_arcs)}}),
+        {});
   }
 
   void experiments(int r) {
@@ -216,12 +222,11 @@ class Experiment {
       variants.push_back(settings_to_json<ArcVariantTable>(v));
     }
     add("arc_quality", "arc_quality", r,
-        with(lines_slice(r), {{"fresh_starts", p_.experiments.fresh_starts}, {"variants", variants}}),
-        layers);
+        with(arcs_slice(r), {{"fresh_starts", p_.experiments.fresh_starts}, {"variants", variants}}), layers);
 
     const ArcVariant& v = named(p_.layer3.variants, p_.experiments.substitution_variant, "", "");
     add("substitution", "substitution", r,
-        with(lines_slice(r), {{"variant", settings_to_json<ArcVariantTable>(v)}}),
+        with(arcs_slice(r), {{"variant", settings_to_json<ArcVariantTable>(v)}}),
         {{"original", numbered("layer1", r)},
          {"substitute", numbered("layer1_substitute", r)},
          below,

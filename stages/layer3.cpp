@@ -10,7 +10,7 @@ void run(hbr::StageRun& stage) {
   const hbr::PointLayer points = hbr::read_points(stage, "layer1", arm, frame);
   const hbr::LineLayer lines = hbr::read_lines(stage, "layer2", frame);
   const hbr::ArcController controller = hbr::arc_controller(s.controller);
-  const hbr::ArcEvaluator arcs(points, lines, frame, controller, s.samples);
+  const hbr::ArcEvaluator arcs(points, lines, frame, controller, s.samples, hbr::make_reading(s.reading));
 
   evolve(stage, s.search, hbr::fixed_length(controller.genes, s.search), arcs,
          hbr::Seed(s.seed).child(stage.stage()).child(s.replication));

@@ -78,13 +78,24 @@ void describe(Fields& f, ArcVariant& s) {
 struct Layer3Table {
   SearchTable archive;
   std::string lines;
+  ArcReadingTable reading;
   std::vector<ArcVariant> variants;
 };
 template <class Fields>
 void describe(Fields& f, Layer3Table& s) {
   describe_archive(f, s.archive);
   f.text("lines", s.lines, "the layer-2 variant below");
+  describe(f, s.reading);
   f.tables("variants", s.variants, "what is compared");
+}
+
+struct FlatArcsTable : SearchTable {
+  std::string start;
+};
+template <class Fields>
+void describe(Fields& f, FlatArcsTable& s) {
+  describe_generations(f, s);
+  describe_flat_start(f, s.start);
 }
 
 struct Layer4Table {
@@ -169,13 +180,14 @@ struct Profile {
   ArmTable arm;
   double half_side = 0;
   double longest_line = 0;
+  std::string line_range;
   SharedSearch search;
   LayerTable layer1;
   SearchesTable searches;
   Layer2Table layer2;
   GenerationsTable reference4d;
   Layer3Table layer3;
-  GenerationsTable flat_arcs;
+  FlatArcsTable flat_arcs;
   Layer4Table layer4;
   GenerationsTable flat_digits;
   ExperimentsTable experiments;
@@ -194,7 +206,7 @@ void describe(Fields& f, Profile& s) {
   f.table("random_strokes", s.random_strokes, "its control");
   f.table("arm", s.arm, "the planar arm");
   f.number("half_side", s.half_side, Range{1e-3, 100}, "L: half the side of the drawing area, m");
-  f.number("longest_line", s.longest_line, Range{1e-3, 100}, "rho: longest displacement of a line, m");
+  describe_line_range(f, s.longest_line, s.line_range);
   f.table("search", s.search, "what all searches share");
   f.table("layer1", s.layer1, "points, and their substitute");
   f.table("searches", s.searches, "points by other searches");

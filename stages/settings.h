@@ -102,11 +102,37 @@ void describe_arm(Fields& f, ArmSlice& s) {
 }
 struct LinesSlice : ArmSlice {
   double longest_line = 0;
+  std::string line_range;
 };
+template <class Fields>
+void describe_line_range(Fields& f, double& longest_line, std::string& line_range) {
+  f.number("longest_line", longest_line, Range{1e-3, 100}, "rho: longest displacement of a line, m");
+  f.choice("line_range", line_range, {"disc", "square"}, "of radius rho, or of side 2 rho");
+}
 template <class Fields>
 void describe_lines(Fields& f, LinesSlice& s) {
   describe_arm(f, s);
-  f.number("longest_line", s.longest_line, Range{1e-3, 100}, "rho: longest displacement of a line, m");
+  describe_line_range(f, s.longest_line, s.line_range);
+}
+
+// What an arc's descriptor and fitness mean.
+struct ArcReadingTable {
+  std::string centre;
+  std::string joint_term;
+};
+template <class Fields>
+void describe(Fields& f, ArcReadingTable& s) {
+  f.choice("centre", s.centre, {"circle", "centroid"}, "C: of the fitted circle, or the mean of the points");
+  f.choice("joint_term", s.joint_term, {"mean", "pooled"},
+           "J: mean of the way-points' joint variances, or the variance of all their joints together");
+}
+struct ArcsSlice : LinesSlice {
+  ArcReadingTable reading;
+};
+template <class Fields>
+void describe_arcs(Fields& f, ArcsSlice& s) {
+  describe_lines(f, s);
+  f.table("reading", s.reading, "of an arc's descriptor and fitness");
 }
 
 struct PointsEvolution : ArmSlice {
@@ -131,26 +157,33 @@ void describe(Fields& f, LinesEvolution& s) {
   f.table("search", s.search, "the search");
 }
 
-struct ArcsEvolution : LinesSlice {
+struct ArcsEvolution : ArcsSlice {
   std::string controller;
   int samples = 0;
   SearchTable search;
 };
 template <class Fields>
 void describe(Fields& f, ArcsEvolution& s) {
-  describe_lines(f, s);
+  describe_arcs(f, s);
   f.choice("controller", s.controller, {"lines", "turn"},
            "ten genes (five lines) or three (heading, length, turn)");
   f.number("samples", s.samples, Range{1, 1e5}, "N: starts of the stochastic descriptor");
   f.table("search", s.search, "the search");
 }
 
-struct FlatArcsEvolution : LinesSlice {
+struct FlatArcsEvolution : ArcsSlice {
+  std::string start;
   SearchTable search;
 };
 template <class Fields>
+void describe_flat_start(Fields& f, std::string& start) {
+  f.choice("start", start, {"straight", "first", "random"},
+           "of the arc: the straight arm, its own first configuration, or one drawn at random");
+}
+template <class Fields>
 void describe(Fields& f, FlatArcsEvolution& s) {
-  describe_lines(f, s);
+  describe_arcs(f, s);
+  describe_flat_start(f, s.start);
   f.table("search", s.search, "the search");
 }
 
@@ -238,24 +271,24 @@ void describe(Fields& f, ArcVariantTable& s) {
            "ten genes (five lines) or three (heading, length, turn)");
   f.number("samples", s.samples, Range{1, 1e5}, "N: starts of the stochastic descriptor");
 }
-struct ArcQualitySlice : LinesSlice {
+struct ArcQualitySlice : ArcsSlice {
   int fresh_starts = 0;
   std::vector<ArcVariantTable> variants;
 };
 template <class Fields>
 void describe(Fields& f, ArcQualitySlice& s) {
-  describe_lines(f, s);
+  describe_arcs(f, s);
   f.number("fresh_starts", s.fresh_starts, Range{1, 1e5},
            "starts from which every stored arc is executed again");
   f.tables("variants", s.variants, "the layer-3 repertoires");
 }
 
-struct SubstitutionSlice : LinesSlice {
+struct SubstitutionSlice : ArcsSlice {
   ArcVariantTable variant;
 };
 template <class Fields>
 void describe(Fields& f, SubstitutionSlice& s) {
-  describe_lines(f, s);
+  describe_arcs(f, s);
   f.table("variant", s.variant, "the layer-3 repertoire that is executed over both layers");
 }
 

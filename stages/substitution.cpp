@@ -8,7 +8,7 @@
 namespace {
 
 // M1, M2, M3 of the execution typical of an arc, larger is better.
-std::array<float, 3> metrics(const hbr::PointLayer& points, const hbr::ArcEvaluator::Outcome& outcome) {
+std::array<float, 3> metrics(const hbr::PointLayer& points, const hbr::ArcOutcome& outcome) {
   return {static_cast<float>(-outcome.irregularity), static_cast<float>(-outcome.joint_cost),
           static_cast<float>(-hbr::mean_joint_cost(points, outcome.waypoints, hbr::few_joints))};
 }
@@ -27,12 +27,15 @@ void run(hbr::StageRun& stage) {
   for (const char* layer : {"original", "substitute"}) {
     const hbr::PointLayer points = hbr::read_points(stage, layer, arm, frame);
     const hbr::ArcEvaluator evaluator(points, lines, frame, hbr::arc_controller(s.variant.controller),
-                                      s.variant.samples);
+                                      s.variant.samples, hbr::make_reading(s.reading));
     std::vector<float> rows(arcs.size() * 3);
-    workers.for_each(arcs.size(), [&](std::size_t i) {
-      hbr::Rng rng(seed.child(layer).child(i));
-      const auto m = metrics(points, evaluator.execute(arcs.solution.row(i).data(), rng));
-      std::copy(m.begin(), m.end(), &rows[3 * i]);
+    workers.for_ranges(arcs.size(), 16, [&](std::size_t begin, std::size_t end) {
+      std::vector<hbr::ArcOutcome> outcomes(end - begin);
+      evaluator.execute(arcs.solution, begin, end, seed.child(layer), outcomes.data());
+      for (std::size_t i = begin; i < end; ++i) {
+        const auto m = metrics(points, outcomes[i - begin]);
+        std::copy(m.begin(), m.end(), &rows[3 * i]);
+      }
     });
     file.write(layer, {static_cast<std::size_t>(arcs.size()), 3}, rows.data());
   }

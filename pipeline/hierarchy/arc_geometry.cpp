@@ -3,37 +3,40 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/core/check.h"
+
 namespace hbr {
 namespace {
 
-template <std::size_t N>
-double variance(const std::array<double, N>& values) {
+double variance(std::span<const double> values) {
+  const auto n = static_cast<double>(values.size());
   double mean = 0, sum = 0;
-  for (const double v : values) mean += v / N;
-  for (const double v : values) sum += (v - mean) * (v - mean) / N;
+  for (const double v : values) mean += v / n;
+  for (const double v : values) sum += (v - mean) * (v - mean) / n;
   return sum;
 }
 
-// Centre of the fitted circle, relative to the first point, and length of the polygon through the points
-// x(k), y(k). Plain arithmetic without branches, so that a loop over executions becomes vectors.
+// Centre, relative to the first point, and length of the polygon through the points x(k), y(k). Plain
+// arithmetic without branches, so that a loop over executions becomes vectors.
 struct Place {
   double x, y, length;
 };
 template <class X, class Y>
-inline Place place(const X& x, const Y& y) {
+[[gnu::always_inline]] inline Place place(ArcCentre centre, int points, const X& x, const Y& y) {
   constexpr double kRegularisation = 1e-6;  // of the points' spread
-  constexpr int kPoints = kArcSegments + 1;
+  const double share = 1.0 / points;
   double mean_x = 0, mean_y = 0, length = 0;
-  for (int k = 0; k < kPoints; ++k) {
-    mean_x += (x(k) - x(0)) / kPoints;
-    mean_y += (y(k) - y(0)) / kPoints;
+  for (int k = 1; k < points; ++k) {
+    mean_x += (x(k) - x(0)) * share;
+    mean_y += (y(k) - y(0)) * share;
   }
-  for (int k = 1; k < kPoints; ++k) {
+  for (int k = 1; k < points; ++k) {
     const double dx = x(k) - x(k - 1), dy = y(k) - y(k - 1);
     length += std::sqrt(dx * dx + dy * dy);
   }
+  if (centre == ArcCentre::kCentroid) return {mean_x, mean_y, length};
   double xx = 0, xy = 0, yy = 0, moment_x = 0, moment_y = 0;
-  for (int k = 0; k < kPoints; ++k) {
+  for (int k = 0; k < points; ++k) {
     const double dx = x(k) - x(0) - mean_x, dy = y(k) - y(0) - mean_y, half = (dx * dx + dy * dy) / 2;
     xx += dx * dx;
     xy += dx * dy;
@@ -60,30 +63,42 @@ inline Descriptor3 descriptor(const Frame& frame, const Place& p) {
           length < 1 ? length : 1.0};
 }
 
-double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+// An angle between two headings, brought into [-pi, pi].
+double wrapped(double angle) {
+  constexpr double kPi = std::numbers::pi;
+  return angle > kPi ? angle - 2 * kPi : angle < -kPi ? angle + 2 * kPi : angle;
+}
+
+Place place_of(std::span<const Eigen::Vector2d> points, ArcCentre centre) {
+  return place(
+      centre, static_cast<int>(points.size()), [&](int k) { return points[k].x(); },
+      [&](int k) { return points[k].y(); });
+}
 
 }  // namespace
 
-Eigen::Vector2d circle_centre(const ArcPoints& points) {
-  const Place p = place([&](int k) { return points[k].x(); }, [&](int k) { return points[k].y(); });
+Eigen::Vector2d circle_centre(std::span<const Eigen::Vector2d> points) {
+  const Place p = place_of(points, ArcCentre::kCircle);
   return points[0] + Eigen::Vector2d(p.x, p.y);
 }
 
-ArcShape arc_shape(const ArcPoints& points) {
-  const Place p = place([&](int k) { return points[k].x(); }, [&](int k) { return points[k].y(); });
+ArcShape arc_shape(std::span<const Eigen::Vector2d> points, ArcCentre centre) {
+  const Place p = place_of(points, centre);
   return {{p.x, p.y}, p.length};
 }
 
-double irregularity(const ArcPoints& points) {
+double irregularity(std::span<const Eigen::Vector2d> points) {
+  const std::size_t segments = points.size() - 1;
+  HBR_CHECK(segments >= 2 && segments <= kArcSegments, "{} segments", segments);
   std::array<double, kArcSegments> length, heading;
   std::array<double, kArcSegments - 1> turn;
-  for (int i = 0; i < kArcSegments; ++i) {
+  for (std::size_t i = 0; i < segments; ++i) {
     const Eigen::Vector2d v = points[i + 1] - points[i];
     length[i] = v.norm();
     heading[i] = std::atan2(v.y(), v.x());
     if (i > 0) turn[i - 1] = wrapped(heading[i] - heading[i - 1]);
   }
-  return 100 * variance(length) + variance(turn);
+  return 100 * variance({length.data(), segments}) + variance({turn.data(), segments - 1});
 }
 
 Eigen::Vector3d arc_descriptor(const Frame& frame, const ArcShape& shape) {
@@ -91,23 +106,32 @@ Eigen::Vector3d arc_descriptor(const Frame& frame, const ArcShape& shape) {
   return {d.x, d.y, d.length};
 }
 
-void arc_descriptors(const Frame& frame, const ArcTracks& tracks, Samples<3>& descriptors) {
-  const auto n = static_cast<int>(tracks.x[0].size());
-  descriptors.resize(n);
-  std::array<const double*, kArcSegments + 1> x, y;
+void arc_descriptors(const Frame& frame, ArcCentre centre, const ArcTracks& tracks, int first,
+                     Samples<3>& descriptors) {
+  std::array<const float*, kArcSegments + 1> x, y;
   for (int k = 0; k <= kArcSegments; ++k) {
-    x[k] = tracks.x[k].data();
-    y[k] = tracks.y[k].data();
+    x[k] = tracks.x[k].data() + first;
+    y[k] = tracks.y[k].data() + first;
   }
   float* const out[3] = {descriptors.coordinate(0), descriptors.coordinate(1), descriptors.coordinate(2)};
+  const auto fill = [&](ArcCentre of) {
+    const double metres = 2 * frame.half_side;
 #pragma GCC ivdep
-  for (int s = 0; s < n; ++s) {
-    const Place p = place([&](int k) { return x[k][s]; }, [&](int k) { return y[k][s]; });
-    const Descriptor3 d = descriptor(frame, p);
-    out[0][s] = static_cast<float>(d.x);
-    out[1][s] = static_cast<float>(d.y);
-    out[2][s] = static_cast<float>(d.length);
-  }
+    for (int s = 0; s < descriptors.size(); ++s) {
+      const Place p = place(
+          of, kArcSegments + 1, [&](int k) { return metres * x[k][s]; },
+          [&](int k) { return metres * y[k][s]; });
+      const Descriptor3 d = descriptor(frame, p);
+      out[0][s] = static_cast<float>(d.x);
+      out[1][s] = static_cast<float>(d.y);
+      out[2][s] = static_cast<float>(d.length);
+    }
+  };
+  // The branch stands outside of the loop.
+  if (centre == ArcCentre::kCircle)
+    fill(ArcCentre::kCircle);
+  else
+    fill(ArcCentre::kCentroid);
 }
 
 Eigen::Vector3d decode_arc(const Frame& frame, const float* genes) {

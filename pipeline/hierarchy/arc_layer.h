@@ -1,6 +1,7 @@
 // Layer 3, arcs: five lines of layer 2 in a row.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -48,48 +49,78 @@ class ArcLayer {
   std::vector<ArcLines> lines_;
 };
 
-// Genome -> stochastic descriptor (C, Lambda) over `samples` starts; the fitness is that of the sample
-// nearest to the median: -(100 var |V_i| + var b_i + J).
+// How J, the joints' part of the fitness, is taken over the five way-points after the start: the mean of
+// their variances, or the variance of all their joints together.
+enum class JointTerm { kMean, kPooled };
+
+struct ArcReading {
+  ArcCentre centre = ArcCentre::kCircle;
+  JointTerm joint_term = JointTerm::kMean;
+};
+// "circle" or "centroid", "mean" or "pooled".
+ArcReading arc_reading(const std::string& centre, const std::string& joint_term);
+
+// An arc executed `samples` times from starts drawn uniformly among layer-1 elites.
+struct ArcOutcome {
+  Eigen::Vector3f descriptor;  // (C, Lambda) in [0, 1]^3: the geometric median of the executions
+  float uncertainty;           // their mean distance to it
+  ArcWaypoints waypoints;      // of the execution nearest to it
+  double irregularity;         // of that one: the first two terms of the fitness, positive
+  double joint_cost;           // J
+  double fitness() const { return -(irregularity + joint_cost); }
+};
+
+// Genome -> stochastic descriptor and the fitness of the sample nearest to it: -(100 var |V_i| + var b_i +
+// J).
 class ArcEvaluator final : public Evaluator {
  public:
   ArcEvaluator(const PointLayer& points, const LineLayer& lines, const Frame& frame, ArcController controller,
-               int samples);
+               int samples, ArcReading reading = {});
   int descriptor_size() const override { return 3; }
   bool stochastic() const override { return true; }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
 
-  // The same for one genome, with the way-points of the sample nearest to the median.
-  struct Outcome {
-    Eigen::Vector3f descriptor;
-    float uncertainty;
-    ArcWaypoints waypoints;
-    double irregularity;  // the first two terms of the fitness, positive
-    double joint_cost;    // J
-    double fitness() const { return -(irregularity + joint_cost); }
-  };
-  Outcome execute(const float* genome, Rng& rng) const;
+  // Executes genomes [begin, end); row i draws its starts from seed.child(i).
+  void execute(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed, ArcOutcome* out) const;
+  // Mean fitness of the executions of each genome.
+  void mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed, float* out) const;
 
  private:
+  struct Runs;
+  Runs& run(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed) const;
+  ArcOutcome outcome(const ArcWaypoints& waypoints) const;
+  // Genomes whose executions fit into the nearest cache together.
+  Eigen::Index block() const { return std::max(1, 512 / samples_); }
+
   const PointLayer& points_;
   const LineLayer& lines_;
   Frame frame_;
   ArcController controller_;
   int samples_;
+  ArcReading reading_;
 };
 
-// The flat baseline (paper, section 5.4): five configurations of all joints, from the straight arm (all
-// joints at the middle of their range).
+// Where the flat baseline's arc begins: at the straight arm (all joints at the middle of their range), at its
+// own first configuration (four segments remain), or at a configuration drawn at random for every evaluation.
+enum class FlatStart { kStraight, kFirst, kRandom };
+// "straight", "first" or "random".
+FlatStart flat_start(const std::string& name);
+
+// The flat baseline (paper, section 5.4): five configurations of all joints.
 class FlatArcEvaluator final : public Evaluator {
  public:
-  FlatArcEvaluator(const Robot& robot, const Frame& frame);
+  FlatArcEvaluator(const Robot& robot, const Frame& frame, FlatStart start = FlatStart::kStraight,
+                   ArcReading reading = {});
   int genes() const { return kArcSegments * static_cast<int>(robot_.dof()); }
   int descriptor_size() const override { return 3; }
+  bool deterministic() const override { return start_ != FlatStart::kRandom; }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
 
  private:
   const Robot& robot_;
   Frame frame_;
-  Eigen::Vector2d start_;
+  FlatStart start_;
+  ArcReading reading_;
 };
 
 }  // namespace hbr

@@ -58,6 +58,7 @@ class DigitEvaluator final : public Evaluator {
  public:
   DigitEvaluator(const Hierarchy& hierarchy, const Pencil& pencil, const Descriptor& descriptor);
   int descriptor_size() const override { return static_cast<int>(descriptor_.dimension()); }
+  bool deterministic() const override { return true; }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
 
  private:
@@ -85,6 +86,7 @@ class FlatDigitEvaluator final : public Evaluator {
  public:
   FlatDigitEvaluator(const FlatDigits& digits, const Descriptor& descriptor);
   int descriptor_size() const override { return static_cast<int>(descriptor_.dimension()); }
+  bool deterministic() const override { return true; }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
 
  private:

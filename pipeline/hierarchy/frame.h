@@ -5,10 +5,15 @@
 
 namespace hbr {
 
+// Which displacements a line may ask for: those of at most rho, or also the corners of the square around
+// them.
+enum class LineRange { kDisc, kSquare };
+
 struct Frame {
   double half_side;     // L, m: the drawing area is [-L, L]^2
-  double longest_line;  // rho, m: the longest displacement that a line may ask for
-  int segments = 5;     // lines of an arc (paper, section 4.3)
+  double longest_line;  // rho, m: the longest displacement that a line may ask for along an axis
+  LineRange line_range = LineRange::kDisc;
+  int segments = 5;  // lines of an arc (paper, section 4.3)
 
   double longest_arc() const { return segments * longest_line; }  // m
 
@@ -18,6 +23,10 @@ struct Frame {
   }
   Eigen::Vector2d point(const Eigen::Vector2d& descriptor) const {
     return descriptor.array() * 2 * half_side - half_side;
+  }
+  // The same for a displacement, which has no origin.
+  Eigen::Vector2f point_step(const Eigen::Vector2d& displacement) const {
+    return (displacement / (2 * half_side)).cast<float>();
   }
   // Layer 2: displacement V [m] <-> descriptor.
   Eigen::Vector2d line_descriptor(const Eigen::Vector2d& v) const {

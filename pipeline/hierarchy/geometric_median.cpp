@@ -1,8 +1,9 @@
 #include "pipeline/hierarchy/geometric_median.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 
 namespace hbr {
 namespace {
@@ -10,63 +11,105 @@ namespace {
 template <int D>
 using Point = Eigen::Matrix<float, D, 1>;
 
-float sum_of_lanes(const float* lanes) {
-  float sum = 0;
-  for (int l = 0; l < Samples<1>::kLanes; ++l) sum += lanes[l];
-  return sum;
+constexpr int kLanes = Samples<1>::kLanes;
+using Lanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
+
+Lanes load(const float* from) {
+  Lanes lanes;
+  std::memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+Lanes square_root(Lanes lanes) {
+  alignas(sizeof(Lanes)) float roots[kLanes];
+  std::memcpy(roots, &lanes, sizeof lanes);
+  for (float& root : roots) root = std::sqrt(root);
+  return load(roots);
+}
+
+// Halves added to halves: the order does not depend on the width of the machine's vectors.
+float sum_of_lanes(Lanes lanes) {
+  alignas(sizeof(Lanes)) float sums[kLanes];
+  std::memcpy(sums, &lanes, sizeof lanes);
+  for (int half = kLanes / 2; half > 0; half /= 2)
+    for (int l = 0; l < half; ++l) sums[l] += sums[l + half];
+  return sums[0];
 }
 
 // How the samples pull at a place.
 template <int D>
 struct Pull {
-  Point<D> force;  // sum of the unit vectors towards the samples
-  float weights;   // sum of 1 / distance
-  float here;      // samples that are right there: they hold the place with the strength of their number
+  Point<D> force;                     // sum of the unit vectors towards the samples
+  Eigen::Matrix<float, D, D> spread;  // sum of their outer products over the distance
+  float weights;                      // sum of 1 / distance
+  float here;  // samples that are right there: they hold the place with the strength of their number
 
   Pull(const Samples<D>& samples, const Point<D>& place) {
-    constexpr int kLanes = Samples<D>::kLanes;
     constexpr float kCoincident2 = 1e-14f;
-    alignas(64) float force_lanes[D][kLanes] = {}, weight_lanes[kLanes] = {}, here_lanes[kLanes] = {};
+    constexpr int kPairs = D * (D + 1) / 2;
+    Lanes force_lanes[D] = {}, spread_lanes[kPairs] = {}, weight_lanes = {}, here_lanes = {};
+    const Lanes none = {};
     for (int g = 0; g < samples.groups(); ++g) {
-      const float* present = samples.present() + g * kLanes;
-      alignas(64) float offset[D][kLanes], weight[kLanes];
-      for (int l = 0; l < kLanes; ++l) {
-        float squared = 0;
-        for (int d = 0; d < D; ++d) {
-          offset[d][l] = samples.coordinate(d)[g * kLanes + l] - place[d];
-          squared += offset[d][l] * offset[d][l];
-        }
-        const bool apart = squared > kCoincident2;
-        const float inverse = present[l] / std::sqrt(squared);
-        weight[l] = apart ? inverse : 0.0f;
-        here_lanes[l] += apart ? 0.0f : present[l];
-        weight_lanes[l] += weight[l];
+      const Lanes present = load(samples.present() + g * kLanes);
+      Lanes offset[D], squared = none;
+      for (int d = 0; d < D; ++d) {
+        offset[d] = load(samples.coordinate(d) + g * kLanes) - place[d];
+        squared += offset[d] * offset[d];
       }
-      for (int d = 0; d < D; ++d)
-        for (int l = 0; l < kLanes; ++l) force_lanes[d][l] += weight[l] * offset[d][l];
+      const auto apart = squared > kCoincident2;
+      const Lanes weight = apart ? present / square_root(squared) : none;
+      weight_lanes += weight;
+      here_lanes += apart ? none : present;
+      for (int d = 0, pair = 0; d < D; ++d) {
+        const Lanes unit = weight * offset[d];
+        force_lanes[d] += unit;
+        for (int c = 0; c <= d; ++c, ++pair) spread_lanes[pair] += unit * (weight * offset[c]) * weight;
+      }
     }
-    for (int d = 0; d < D; ++d) force[d] = sum_of_lanes(force_lanes[d]);
+    for (int d = 0, pair = 0; d < D; ++d) {
+      force[d] = sum_of_lanes(force_lanes[d]);
+      for (int c = 0; c <= d; ++c, ++pair) spread(d, c) = spread(c, d) = sum_of_lanes(spread_lanes[pair]);
+    }
     weights = sum_of_lanes(weight_lanes);
     here = sum_of_lanes(here_lanes);
   }
 
+  // Whether the place is the median, being a sample.
   bool holds() const { return here > 0 && force.norm() <= here; }
+
+  // Weiszfeld's step; at a sample, that of Vardi and Zhang. It never leads uphill.
+  Point<D> safe_step() const {
+    const float drawn = here > 0 ? 1 - here / force.norm() : 1;
+    return force * (drawn / weights);
+  }
+
+  // Newton's step, or nothing to speak of where the sum of distances is as good as flat in some direction.
+  bool newton_step(Point<D>& step) const {
+    const Eigen::Matrix<float, D, D> curvature = weights * Eigen::Matrix<float, D, D>::Identity() - spread;
+    if (here > 0 || !(curvature.determinant() > 1e-4f * weights * weights * (D > 2 ? weights : 1)))
+      return false;
+    step = curvature.inverse() * force;
+    return true;
+  }
 };
 
 template <int D>
 Median<D> with_distances(const Samples<D>& samples, const Point<D>& place) {
-  Median<D> out{place, 0, 0};
-  float least = std::numeric_limits<float>::infinity(), sum = 0;
-  for (int i = 0; i < samples.size(); ++i) {
-    const float distance = (samples.sample(i) - place).norm();
-    sum += distance;
-    if (distance < least) {
-      least = distance;
-      out.nearest = i;
+  thread_local std::vector<float> squared;
+  squared.resize(samples.groups() * kLanes);
+  Lanes distances = {};
+  for (int g = 0; g < samples.groups(); ++g) {
+    Lanes sum = {};
+    for (int d = 0; d < D; ++d) {
+      const Lanes offset = load(samples.coordinate(d) + g * kLanes) - place[d];
+      sum += offset * offset;
     }
+    distances += load(samples.present() + g * kLanes) * square_root(sum);
+    std::memcpy(&squared[g * kLanes], &sum, sizeof sum);
   }
-  out.mean_distance = sum / static_cast<float>(samples.size());
-  return out;
+  const auto least = std::min_element(squared.begin(), squared.begin() + samples.size());
+  return {place, sum_of_lanes(distances) / static_cast<float>(samples.size()),
+          static_cast<int>(least - squared.begin())};
 }
 
 }  // namespace
@@ -84,27 +127,50 @@ void Samples<D>::resize(int n) {
 template <int D>
 Median<D> geometric_median(const Samples<D>& samples) {
   constexpr float kTolerance = 1e-6f;
-  constexpr int kMostSteps = 1000;
+  constexpr int kMostSteps = 1000, kSampleEvery = 4, kMostRefusals = 3;
   const int n = samples.size();
 
-  Point<D> median = Point<D>::Zero();
+  Point<D> place = Point<D>::Zero();
   for (int d = 0; d < D; ++d) {
-    for (int i = 0; i < n; ++i) median[d] += samples.coordinate(d)[i];
-    median[d] /= static_cast<float>(n);
+    for (int i = 0; i < n; ++i) place[d] += samples.coordinate(d)[i];
+    place[d] /= static_cast<float>(n);
   }
-  if (n <= 2) return with_distances<D>(samples, median);
-  for (int step = 0; step < kMostSteps; ++step) {
-    const Pull<D> pull(samples, median);
+  if (n <= 2) return with_distances<D>(samples, place);
+
+  // The sample nearest to the place, if it is the median: the steps near such a median slowly, or in circles.
+  const auto sample_that_holds = [&](Median<D>& found) {
+    found = with_distances<D>(samples, place);
+    const Point<D> sample = samples.sample(found.nearest);
+    if (!Pull<D>(samples, sample).holds()) return false;
+    found = with_distances<D>(samples, sample);
+    return true;
+  };
+
+  Median<D> found;
+  Pull<D> pull(samples, place);
+  int refusals = 0;
+  for (int step = 1; step <= kMostSteps; ++step) {
     if (pull.weights == 0 || pull.holds()) break;
-    const float drawn = pull.here > 0 ? 1 - pull.here / pull.force.norm() : 1;
-    const Point<D> move = pull.force * (drawn / pull.weights);
-    median += move;
+    Point<D> move;
+    if (refusals < kMostRefusals && step > 2 && pull.newton_step(move)) {
+      const Pull<D> there(samples, place + move);
+      // The pull lessens on the way to the median: a step that does not is one too far.
+      if (there.force.squaredNorm() <= 0.9f * pull.force.squaredNorm() || move.norm() < kTolerance) {
+        place += move;
+        pull = there;
+        if (move.norm() < kTolerance) break;
+        continue;
+      }
+      ++refusals;
+    }
+    move = pull.safe_step();
+    place += move;
     if (move.norm() < kTolerance) break;
+    if (step % kSampleEvery == 2 && sample_that_holds(found)) return found;
+    pull = Pull<D>(samples, place);
   }
-  // The iteration nears a median that is a sample so slowly that it stops short of it.
-  const Median<D> found = with_distances<D>(samples, median);
-  const Point<D> sample = samples.sample(found.nearest);
-  return Pull<D>(samples, sample).holds() ? with_distances<D>(samples, sample) : found;
+  sample_that_holds(found);
+  return found;
 }
 
 template class Samples<2>;

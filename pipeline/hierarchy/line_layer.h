@@ -1,22 +1,25 @@
 // Layer 2, lines: a displacement asked of the pen, executed through layer 1.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "pipeline/hierarchy/point_layer.h"
 
 namespace hbr {
 
-// Two genes in [0, 1] -> a displacement [m] within the disc of radius rho: the square of side 2 rho, its
-// corners brought back along their direction.
+// Two genes in [0, 1] -> a displacement [m] within the square of side 2 rho; in the disc of radius rho its
+// corners are brought back along their direction.
 Eigen::Vector2d decode_line(const Frame& frame, const float* genes);
 
 // Where a line that asks for `displacement` [m] from the elite `start` ends: the elite nearest to start +
 // displacement.
-inline std::int32_t line_end(const PointLayer& points, std::int32_t start,
-                             const Eigen::Vector2d& displacement) {
-  return points.nearest(points.position(start) + displacement);
-}
+std::int32_t line_end(const PointLayer& points, std::int32_t start, const Eigen::Vector2d& displacement);
+
+// The same for n executions at once: each from its own start by its own step, in layer 1's descriptor units
+// (Frame::point_step).
+void line_ends(const PointLayer& points, int n, const std::int32_t* starts, const float* step_x,
+               const float* step_y, std::int32_t* ends);
 
 // The elites visited on the way: those nearest to points `spacing` [m] apart along the segment, repeats left
 // out, the start excluded, the end included.
@@ -33,6 +36,10 @@ class LineLayer {
     const Eigen::Vector2f descriptor = frame_.line_descriptor(wanted).cast<float>();
     return requests_[table_.nearest(descriptor.data())];
   }
+
+  // The same for n displacements at once, given as layer 2's descriptors, a coordinate after the other; what
+  // is asked of layer 1 comes in its descriptor units.
+  void requests(int n, const std::array<const float*, 2>& wanted, float* step_x, float* step_y) const;
 
  private:
   Frame frame_;

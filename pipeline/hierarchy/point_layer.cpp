@@ -9,8 +9,8 @@
 namespace hbr {
 
 void decode_joints(const Robot& robot, const float* genome, double* joints) {
-  for (Eigen::Index j = 0; j < robot.dof(); ++j)
-    joints[j] = robot.lower()[j] + genome[j] * (robot.upper()[j] - robot.lower()[j]);
+  const Eigen::VectorXd &lower = robot.lower(), &upper = robot.upper();
+  for (Eigen::Index j = 0; j < lower.size(); ++j) joints[j] = lower[j] + genome[j] * (upper[j] - lower[j]);
 }
 
 double joint_variance(const double* joints, Eigen::Index dof) {
@@ -38,14 +38,24 @@ JointCost joint_cost(const std::string& name) {
   throw InputError("joint cost '{}': expected joint_variance or few_joints", name);
 }
 
-// Lines reach out of the drawing area; the table covers what they ask for and a query beyond is scanned.
+namespace {
+// How far lines may reach out of the drawing area, descriptor units: so much more the table covers.
+float beyond(const Frame& frame) {
+  return static_cast<float>(frame.longest_line / (2 * frame.half_side) + 0.05);
+}
+}  // namespace
+
 PointLayer::PointLayer(const Elites& elites, const Robot& robot, const Frame& frame)
-    : frame_(frame), table_(elites.measures, -0.25f, 1.25f, 8), variance_(elites.size()) {
+    : frame_(frame),
+      table_(elites.measures, -beyond(frame), 1 + beyond(frame), 8),
+      mean_(elites.size()),
+      variance_(elites.size()) {
   position_.resize(elites.size(), 2);
   joints_.resize(elites.size(), robot.dof());
   for (Eigen::Index i = 0; i < elites.size(); ++i) {
     position_.row(i) = frame.point(elites.measures.row(i).transpose().cast<double>()).transpose();
     decode_joints(robot, elites.solution.row(i).data(), joints_.row(i).data());
+    mean_[i] = joints_.row(i).mean();
     variance_[i] = joint_variance(joints_.row(i).data(), robot.dof());
   }
 }

@@ -2,6 +2,7 @@
 // evolved for.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "pipeline/hierarchy/frame.h"
@@ -33,19 +34,29 @@ class PointLayer {
   // Pen of an elite, m.
   Eigen::Vector2d position(std::int32_t elite) const { return position_.row(elite).transpose(); }
   const double* joints(std::int32_t elite) const { return joints_.row(elite).data(); }
+  // Mean and variance of its joints, rad and rad^2.
+  double mean(std::int32_t elite) const { return mean_[elite]; }
   double variance(std::int32_t elite) const { return variance_[elite]; }
   // The elite whose pen is nearest to a place [m].
   std::int32_t nearest(const Eigen::Vector2d& place) const {
     const Eigen::Vector2f descriptor = frame_.point_descriptor(place).cast<float>();
-    return table_.nearest(descriptor.data());
+    return nearest(descriptor.data());
   }
+
+  // In the layer's own units: an elite's descriptor [2], and the elite nearest to one or to each of n.
+  const float* descriptor(std::int32_t elite) const { return table_.point(elite); }
+  std::int32_t nearest(const float* descriptor) const { return table_.nearest(descriptor); }
+  void nearest(int n, const std::array<const float*, 2>& descriptors, std::int32_t* found) const {
+    table_.nearest(n, descriptors, found);
+  }
+  const Frame& frame() const { return frame_; }
 
  private:
   using RowsD = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Frame frame_;
   NearestTable<2> table_;
   RowsD position_, joints_;
-  Eigen::VectorXd variance_;
+  Eigen::VectorXd mean_, variance_;
 };
 
 // Genome [dof] -> descriptor (P + L) / 2L, fitness minus the cost of the joints. No behaviour outside the
@@ -54,6 +65,7 @@ class PointEvaluator final : public Evaluator {
  public:
   PointEvaluator(const Robot& robot, const Frame& frame, JointCost cost, double off_plane_tolerance);
   int descriptor_size() const override { return 2; }
+  bool deterministic() const override { return true; }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
 
  private:

@@ -88,6 +88,7 @@ class DistanceArchive final : public Repertoire {
     const float eps = settings_.epsilon;
     const float q = c.fitness, q0 = store_.fitness(incumbent);
     if (q < q0 - eps * std::abs(q0)) return false;  // (1 - sgn(q0) eps) q0
+    if (q0 == 0 && q <= 0) return false;            // whatever the novelties: the sum below would be 0
     const float n = novelty(c.descriptor, kNoSlot), n0 = novelty(store_.descriptor(incumbent), incumbent);
     if (n < (1 - eps) * n0) return false;
     return (q - q0) * n0 > -(n - n0) * std::abs(q0);

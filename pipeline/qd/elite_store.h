@@ -37,6 +37,7 @@ class EliteStore {
     return &descriptor_[static_cast<std::size_t>(s) * descriptor_size_];
   }
   float fitness(Slot s) const { return fitness_[s]; }
+  float uncertainty(Slot s) const { return uncertainty_[s]; }
   std::int64_t id(Slot s) const { return id_[s]; }
 
   Slot append(const Candidate& candidate);

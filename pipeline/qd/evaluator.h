@@ -35,6 +35,8 @@ class Evaluator {
   virtual int descriptor_size() const = 0;
   // Whether the descriptor is stochastic and `uncertainty` means something.
   virtual bool stochastic() const { return false; }
+  // Whether the same genome always has the same outcome, so that a copy of a solution need not be evaluated.
+  virtual bool deterministic() const { return false; }
   // Fills rows [begin, end). A row depends on its genome and on seed.child(row) alone. Thread-safe.
   virtual void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const = 0;
 };

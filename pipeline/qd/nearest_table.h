@@ -1,5 +1,6 @@
 // Exact nearest-neighbour look-ups in a finished repertoire: the box of the descriptors is cut into cells,
-// and each cell lists the points that are the nearest of some place in it. A query reads one cell's list.
+// and each cell names the points that are the nearest of some place in it. A cell of few candidates holds
+// their indices itself, so that a query reads one short run of memory and takes no branch.
 #pragma once
 
 #include <algorithm>
@@ -26,35 +27,38 @@ class NearestTable {
     points_.assign(points.data(), points.data() + points.size());
     std::size_t total = 1;
     for (int d = 0; d < D; ++d) total *= cells_;
-    std::vector<std::vector<std::int32_t>> lists(total);
+    cell_.resize(total + 1);  // the last one is all that is outside
     std::vector<std::int32_t> all(size_);
     for (Eigen::Index i = 0; i < size_; ++i) all[i] = static_cast<std::int32_t>(i);
     Box root;
     root.corner.fill(0);
     root.side = cells_;
-    split(root, all, lists);
-    begin_.push_back(0);
-    for (const auto& list : lists) {
-      for (const std::int32_t i : list) candidates_.push_back(candidate(i));
-      begin_.push_back(static_cast<std::uint32_t>(candidates_.size()));
-    }
+    split(root, all);
+    cell_[total] = spilled(all);
   }
 
   // Index of the nearest point, the lower one of two as near. A query outside the box is exact too, but slow.
   std::int32_t nearest(const float* query) const {
-    std::size_t cell = 0;
-    for (int d = 0; d < D; ++d) {
-      const float c = (query[d] - low_) * per_cell_;
-      if (!(c >= 0 && c < static_cast<float>(cells_))) return scan(query);
-      cell = cell * cells_ + static_cast<std::size_t>(c);
-    }
-    float least = std::numeric_limits<float>::infinity();
-    std::int32_t found = -1;
-    for (std::uint32_t i = begin_[cell]; i < begin_[cell + 1]; ++i)
-      consider(candidates_[i], query, least, found);
-    return found;
+    return nearest_in(cell_[cell_of([&](int d) { return query[d]; })], query);
   }
 
+  // The same for n queries; query[d][i] is coordinate d of query i. Queries do not wait for each other's
+  // memory.
+  void nearest(int n, const std::array<const float*, D>& query, std::int32_t* found) const {
+    constexpr int kChunk = 64;
+    std::array<std::uint32_t, kChunk> cells;
+    for (int begin = 0; begin < n; begin += kChunk) {
+      const int count = std::min(kChunk, n - begin);
+      for (int i = 0; i < count; ++i) cells[i] = cell_of([&](int d) { return query[d][begin + i]; });
+      for (int i = 0; i < count; ++i) {
+        float at[D];
+        for (int d = 0; d < D; ++d) at[d] = query[d][begin + i];
+        found[begin + i] = nearest_in(cell_[cells[i]], at);
+      }
+    }
+  }
+
+  const float* point(std::int32_t i) const { return &points_[static_cast<std::size_t>(i) * D]; }
   Eigen::Index size() const { return size_; }
 
  private:
@@ -63,32 +67,49 @@ class NearestTable {
     int side;                   // in cells
   };
 
-  // A point beside its index: a look-up reads one run of memory.
-  struct Candidate {
-    float point[D];
-    std::int32_t index;
-  };
+  // The candidates in ascending order, the last one repeated to fill up; or, where they are more, -1 - begin
+  // and end of a run of spilled_.
+  static constexpr int kInline = 6;
+  using Cell = std::array<std::int32_t, kInline>;
 
-  Candidate candidate(std::int32_t i) const {
-    Candidate c;
-    std::copy_n(&points_[static_cast<std::size_t>(i) * D], D, c.point);
-    c.index = i;
-    return c;
+  template <class Query>
+  std::uint32_t cell_of(Query&& query) const {
+    std::uint32_t cell = 0;
+    bool inside = true;
+    for (int d = 0; d < D; ++d) {
+      const float c = (query(d) - low_) * per_cell_;
+      inside &= c >= 0 && c < static_cast<float>(cells_);
+      cell = cell * cells_ + static_cast<std::uint32_t>(static_cast<std::int32_t>(inside ? c : 0.0f));
+    }
+    return inside ? cell : static_cast<std::uint32_t>(cell_.size() - 1);
   }
 
-  static void consider(const Candidate& c, const float* query, float& least, std::int32_t& found) {
-    float d2 = 0;
-    for (int d = 0; d < D; ++d) d2 += (c.point[d] - query[d]) * (c.point[d] - query[d]);
-    const bool nearer = d2 < least;
-    least = nearer ? d2 : least;
-    found = nearer ? c.index : found;
-  }
-
-  std::int32_t scan(const float* query) const {
+  std::int32_t nearest_in(const Cell& cell, const float* query) const {
     float least = std::numeric_limits<float>::infinity();
     std::int32_t found = -1;
-    for (std::int32_t i = 0; i < size_; ++i) consider(candidate(i), query, least, found);
+    if (cell[0] >= 0) [[likely]] {
+      for (const std::int32_t i : cell) consider(i, query, least, found);
+    } else {
+      for (std::int32_t k = -1 - cell[0]; k < -1 - cell[1]; ++k) consider(spilled_[k], query, least, found);
+    }
     return found;
+  }
+
+  void consider(std::int32_t i, const float* query, float& least, std::int32_t& found) const {
+    const float* p = point(i);
+    float d2 = 0;
+    for (int d = 0; d < D; ++d) d2 += (p[d] - query[d]) * (p[d] - query[d]);
+    const bool nearer = d2 < least;
+    least = nearer ? d2 : least;
+    found = nearer ? i : found;
+  }
+
+  Cell spilled(const std::vector<std::int32_t>& candidates) {
+    Cell cell{};
+    cell[0] = -1 - static_cast<std::int32_t>(spilled_.size());
+    spilled_.insert(spilled_.end(), candidates.begin(), candidates.end());
+    cell[1] = -1 - static_cast<std::int32_t>(spilled_.size());
+    return cell;
   }
 
   // Least and greatest squared distance from a point to a box.
@@ -106,8 +127,7 @@ class NearestTable {
 
   // Keeps the points that are no farther from the box than some other point's farthest corner of it (a hair
   // more, for the query's rounding), then goes on with the halves.
-  void split(const Box& box, const std::vector<std::int32_t>& from,
-             std::vector<std::vector<std::int32_t>>& lists) {
+  void split(const Box& box, const std::vector<std::int32_t>& from) {
     std::vector<double> near2(from.size());
     double bound = std::numeric_limits<double>::infinity(), far2 = 0;
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -118,9 +138,15 @@ class NearestTable {
     for (std::size_t i = 0; i < from.size(); ++i)
       if (near2[i] <= bound * 1.0001 + 1e-12) kept.push_back(from[i]);
     if (box.side == 1) {
-      std::size_t cell = 0;
-      for (int d = 0; d < D; ++d) cell = cell * cells_ + box.corner[d];
-      lists[cell] = std::move(kept);
+      std::size_t index = 0;
+      for (int d = 0; d < D; ++d) index = index * cells_ + box.corner[d];
+      Cell& cell = cell_[index];
+      if (kept.size() > kInline) {
+        cell = spilled(kept);
+      } else {
+        cell.fill(kept.back());
+        std::copy(kept.begin(), kept.end(), cell.begin());
+      }
       return;
     }
     for (int child = 0; child < (1 << D); ++child) {
@@ -128,7 +154,7 @@ class NearestTable {
       half.side /= 2;
       for (int d = 0; d < D; ++d)
         if (child >> d & 1) half.corner[d] += half.side;
-      split(half, kept, lists);
+      split(half, kept);
     }
   }
 
@@ -137,8 +163,8 @@ class NearestTable {
   float per_cell_;
   Eigen::Index size_;
   std::vector<float> points_;
-  std::vector<std::uint32_t> begin_;
-  std::vector<Candidate> candidates_;
+  std::vector<Cell> cell_;
+  std::vector<std::int32_t> spilled_;
 };
 
 }  // namespace hbr

@@ -17,7 +17,8 @@ class Repertoire {
   Repertoire(int genes, int descriptor_size) : store_(genes, descriptor_size) {}
   virtual ~Repertoire() = default;
 
-  // Judges one candidate against what is held now, and keeps it or not.
+  // Judges one candidate against what is held now, and keeps it or not. A copy of an elite that it holds (the
+  // same descriptor and fitness) it rejects.
   virtual Added add(const Candidate& candidate) = 0;
   // Takes elites in slot order as they were held by a repertoire of the same kind (resuming a search).
   virtual void restore(const Elites& elites) = 0;

@@ -24,7 +24,9 @@ Search::Search(Repertoire& repertoire, Selector& selector, const Variation& vari
       batch_(settings.batch, variation.genes(), evaluator.descriptor_size()),
       parent_slot_(settings.batch, kNoSlot),
       parent_id_(settings.batch, -1),
-      credited_(settings.batch) {
+      credited_(settings.batch),
+      copy_(settings.batch, 0),
+      fresh_(settings.batch, variation.genes(), evaluator.descriptor_size()) {
   HBR_CHECK(settings.generations > 0 && settings.batch > 0 && settings.record_every > 0, "{} x {}, every {}",
             settings.generations, settings.batch, settings.record_every);
   std::iota(credited_.begin(), credited_.end(), 0);
@@ -61,23 +63,54 @@ void Search::breed(Workers& workers) {
       Rng rng(seed.child(i));
       float* child = batch_.genome.row(i).data();
       const Slot p = parent_slot_[i];
-      batch_.length[i] = p == kNoSlot ? variation_.sample(child, rng)
-                                      : variation_.vary(store.genome(p), store.length(p), child, rng);
+      if (p == kNoSlot) {
+        batch_.length[i] = variation_.sample(child, rng);
+        copy_[i] = 0;
+        continue;
+      }
+      const int length = batch_.length[i] = variation_.vary(store.genome(p), store.length(p), child, rng);
+      copy_[i] = evaluator_.deterministic() && length == store.length(p) &&
+                 std::equal(child, child + length, store.genome(p));
     }
   });
 }
 
 void Search::evaluate(Workers& workers) {
   const Seed seed = seed_.child("evaluation").child(generation_);
-  workers.for_ranges(settings_.batch, kGrain, [&](std::size_t begin, std::size_t end) {
-    evaluator_.evaluate(batch_, begin, end, seed);
-  });
+  const auto run = [&](Batch& batch, int rows) {
+    workers.for_ranges(rows, kGrain, [&](std::size_t begin, std::size_t end) {
+      evaluator_.evaluate(batch, begin, end, seed);
+    });
+  };
+  if (!evaluator_.deterministic()) return run(batch_, settings_.batch);
+
+  int rows = 0;
+  for (int i = 0; i < settings_.batch; ++i) {
+    if (copy_[i]) continue;
+    fresh_.genome.row(rows) = batch_.genome.row(i);
+    fresh_.length[rows++] = batch_.length[i];
+  }
+  run(fresh_, rows);
+  const EliteStore& store = repertoire_.store();
+  rows = 0;
+  for (int i = 0; i < settings_.batch; ++i) {
+    const Slot p = parent_slot_[i];
+    const float* descriptor = copy_[i] ? store.descriptor(p) : fresh_.descriptor.row(rows).data();
+    std::copy_n(descriptor, store.descriptor_size(), batch_.descriptor.row(i).data());
+    batch_.fitness[i] = copy_[i] ? store.fitness(p) : fresh_.fitness[rows];
+    batch_.uncertainty[i] = copy_[i] ? store.uncertainty(p) : fresh_.uncertainty[rows];
+    batch_.valid[i] = copy_[i] || fresh_.valid[rows];
+    rows += !copy_[i];
+  }
 }
 
 void Search::add() {
+  const auto parent_is_there = [&](int i) {
+    return parent_slot_[i] != kNoSlot && repertoire_.store().id(parent_slot_[i]) == parent_id_[i];
+  };
   for (int i = 0; i < settings_.batch; ++i) {
     Added added{Outcome::kRejected, kNoSlot};
-    if (batch_.valid[i]) {
+    if (batch_.valid[i] && !(copy_[i] && parent_is_there(i))) {
       HBR_CHECK(batch_.descriptor.row(i).allFinite() && std::isfinite(batch_.fitness[i]),
                 "generation {}, child {}: descriptor or fitness is not finite", generation_, i);
       added = repertoire_.add({batch_.genome.row(i).data(), batch_.length[i], batch_.descriptor.row(i).data(),
@@ -85,10 +118,9 @@ void Search::add() {
                                parent_id_[i]});
     }
     // A sibling may have taken the parent's place; then there is nobody to credit.
-    const Slot p = parent_slot_[credited_[i]];
-    const bool parent_gone =
-        p == kNoSlot || (p != added.slot && repertoire_.store().id(p) != parent_id_[credited_[i]]);
-    selector_.learn(parent_gone ? kNoSlot : p, added);
+    const int credited = credited_[i];
+    const bool replaced_by_child = added.slot != kNoSlot && parent_slot_[credited] == added.slot;
+    selector_.learn(replaced_by_child || parent_is_there(credited) ? parent_slot_[credited] : kNoSlot, added);
   }
 }
 

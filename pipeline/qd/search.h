@@ -52,6 +52,9 @@ class Search {
   void step(Workers& workers);
 
  private:
+  // A child that is a copy of its parent (with eight genes, 43 % are) does what its parent did; where the
+  // evaluator is deterministic it is not evaluated again, and while its parent is there it is not even
+  // offered: a repertoire never keeps two of a kind.
   void select_parents();
   void breed(Workers& workers);
   void evaluate(Workers& workers);
@@ -69,7 +72,9 @@ class Search {
   Batch batch_;
   std::vector<Slot> parent_slot_;
   std::vector<std::int64_t> parent_id_;
-  std::vector<int> credited_;  // [child] the child whose parent is credited
+  std::vector<int> credited_;       // [child] the child whose parent is credited
+  std::vector<std::uint8_t> copy_;  // children equal to their parents, of a deterministic evaluator
+  Batch fresh_;                     // the others, without gaps
   std::vector<ProgressRow> progress_;
 };
 

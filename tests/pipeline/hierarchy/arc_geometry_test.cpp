@@ -87,22 +87,53 @@ TEST(ArcDescriptor, BringsFarCentresBackAlongTheirDirection) {
             1e-12);
 }
 
+TEST(ArcShape, ACentroidIsTheMeanOfThePoints) {
+  const ArcPoints arc = on_circle({0.2, 0.1}, 0.25, 1.0, 0.5);
+  Eigen::Vector2d mean(0, 0);
+  for (const auto& p : arc) mean += p / 6;
+  const ArcShape shape = arc_shape(arc, ArcCentre::kCentroid);
+  EXPECT_LT((shape.centre - (mean - arc[0])).norm(), 1e-15);
+  EXPECT_EQ(shape.length, arc_shape(arc).length);
+}
+
+TEST(ArcShape, FivePointsMakeAnArcOfFourSegments) {
+  const ArcPoints arc = on_circle({0.2, 0.1}, 0.25, 1.0, 0.5);
+  const std::span<const Eigen::Vector2d> tail = std::span(arc).subspan(1);
+  EXPECT_LT((arc_shape(tail).centre - (Eigen::Vector2d(0.2, 0.1) - arc[1])).norm(), 1e-4);
+  EXPECT_NEAR(arc_shape(tail).length, 4 * 2 * 0.25 * std::sin(0.25), 1e-12);
+  EXPECT_LT(irregularity(tail), 1e-20);
+}
+
+TEST(Irregularity, TurnsAreTheShortWayRound) {
+  // Headings 170, -170, 170, -170, 170 degrees: turns of +20 and -20.
+  ArcPoints zigzag{Eigen::Vector2d(0, 0)};
+  for (int k = 0; k < 5; ++k) {
+    const double heading = (k % 2 ? -170 : 170) * std::numbers::pi / 180;
+    zigzag[k + 1] = zigzag[k] + Eigen::Vector2d(std::cos(heading), std::sin(heading));
+  }
+  EXPECT_NEAR(irregularity(zigzag), std::pow(20 * std::numbers::pi / 180, 2), 1e-12);
+}
+
 TEST(ArcDescriptors, ManyAreTheSameAsOneByOne) {
   Rng rng(Seed(28));
+  constexpr int kFirst = 3, kCount = 34;
   ArcTracks tracks;
-  tracks.resize(37);
-  std::vector<ArcPoints> arcs(37);
-  for (int s = 0; s < 37; ++s)
+  tracks.resize(kFirst + kCount);
+  std::vector<ArcPoints> arcs(kFirst + kCount);
+  for (int s = 0; s < kFirst + kCount; ++s)
     for (int k = 0; k <= kArcSegments; ++k) {
-      arcs[s][k] =
-          s == 5 ? Eigen::Vector2d(0.1, 0.2) : Eigen::Vector2d(rng.uniform(-1, 1), rng.uniform(-1, 1));
-      tracks.x[k][s] = arcs[s][k].x();
-      tracks.y[k][s] = arcs[s][k].y();
+      tracks.x[k][s] = s == 5 ? 0.1f : rng.uniform();
+      tracks.y[k][s] = s == 5 ? 0.2f : rng.uniform();
+      arcs[s][k] = 2 * kFrame.half_side * Eigen::Vector2d(tracks.x[k][s], tracks.y[k][s]);
     }
   Samples<3> descriptors;
-  arc_descriptors(kFrame, tracks, descriptors);
-  for (int s = 0; s < 37; ++s)
-    EXPECT_EQ(descriptors.sample(s), arc_descriptor(kFrame, arc_shape(arcs[s])).cast<float>());
+  descriptors.resize(kCount);
+  for (const ArcCentre centre : {ArcCentre::kCircle, ArcCentre::kCentroid}) {
+    arc_descriptors(kFrame, centre, tracks, kFirst, descriptors);
+    for (int s = 0; s < kCount; ++s)
+      EXPECT_EQ(descriptors.sample(s),
+                arc_descriptor(kFrame, arc_shape(arcs[kFirst + s], centre)).cast<float>());
+  }
 }
 
 }  // namespace

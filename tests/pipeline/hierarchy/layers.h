@@ -48,7 +48,9 @@ class Layers : public testing::Test {
     return kFrame.point(point_elites.measures.row(elite).transpose().cast<double>());
   }
   int plain_line_end(int start, const Eigen::Vector2d& displacement) const {
-    return plain_nearest(point_elites.measures, kFrame.point_descriptor(pen(start) + displacement));
+    const Eigen::Vector2f step = (displacement / (2 * kFrame.half_side)).cast<float>();
+    return plain_nearest(point_elites.measures,
+                         (point_elites.measures.row(start).transpose() + step).cast<double>());
   }
   Eigen::Vector2d plain_request(const Eigen::Vector2d& wanted) const {
     const int i = plain_nearest(line_elites.measures, kFrame.line_descriptor(wanted));

@@ -86,76 +86,77 @@ TEST_F(Layers, AReferenceLineIsDescribedByItsStartAndItsDisplacement) {
   }
 }
 
+// The joints' part of an arc's fitness, by its definition.
+double plain_joint_term(const PointLayer& points, const std::vector<int>& waypoints, JointTerm term) {
+  std::vector<double> all;
+  double mean_of_variances = 0;
+  for (const int at : waypoints) {
+    all.insert(all.end(), points.joints(at), points.joints(at) + points.dof());
+    mean_of_variances += points.variance(at) / static_cast<double>(waypoints.size());
+  }
+  const Eigen::Map<const Eigen::ArrayXd> q(all.data(), static_cast<Eigen::Index>(all.size()));
+  return term == JointTerm::kMean ? mean_of_variances : (q - q.mean()).square().mean();
+}
+
 TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
   const PointLayer points(point_elites, arm, kFrame);
   const LineLayer lines(line_elites, kFrame);
-  for (const char* name : {"lines", "turn"}) {
-    const ArcController controller = arc_controller(name);
-    const ArcEvaluator evaluator(points, lines, kFrame, controller, 7);
-    for (int i = 0; i < 50; ++i) {
-      std::vector<float> genome(controller.genes);
-      for (float& g : genome) g = rng.uniform();
-      Rng execution(Seed(27).child(i)), again(Seed(27).child(i));
-      const ArcEvaluator::Outcome outcome = evaluator.execute(genome.data(), execution);
-
-      Samples<3> descriptors;
-      descriptors.resize(7);
-      std::vector<double> fitness;
-      for (int s = 0; s < 7; ++s) {
-        int at = static_cast<int>(again.below(400));
-        ArcPoints drawn{pen(at)};
-        double variance = 0;
-        for (int k = 0; k < 5; ++k) {
-          at = plain_line_end(at, plain_request(controller.decode(kFrame, genome.data())[k]));
-          drawn[k + 1] = pen(at);
-          variance += points.variance(at) / 5;
+  constexpr int kGenomes = 200, kSamples = 7;  // more than one block
+  for (const char* name : {"lines", "turn"})
+    for (const ArcReading reading : {ArcReading{}, ArcReading{ArcCentre::kCentroid, JointTerm::kPooled}}) {
+      const ArcController controller = arc_controller(name);
+      const ArcEvaluator evaluator(points, lines, kFrame, controller, kSamples, reading);
+      Batch batch(kGenomes, controller.genes, 3);
+      batch.genome = Rows::NullaryExpr(kGenomes, controller.genes, [&] { return rng.uniform(); });
+      std::vector<ArcOutcome> outcomes(kGenomes);
+      std::vector<float> means(kGenomes);
+      evaluator.execute(batch.genome, 0, kGenomes, Seed(27), outcomes.data());
+      evaluator.mean_fitness(batch.genome, 0, kGenomes, Seed(27), means.data());
+      for (int i = 0; i < kGenomes; ++i) {
+        const float* genome = batch.genome.row(i).data();
+        Rng starts(Seed(27).child(i));
+        Samples<3> descriptors;
+        descriptors.resize(kSamples);
+        std::vector<double> fitness;
+        std::vector<std::vector<int>> visited;
+        for (int s = 0; s < kSamples; ++s) {
+          int at = static_cast<int>(starts.below(400));
+          ArcPoints drawn{pen(at)};
+          visited.push_back({at});
+          for (int k = 0; k < 5; ++k) {
+            at = plain_line_end(at, plain_request(controller.decode(kFrame, genome)[k]));
+            drawn[k + 1] = pen(at);
+            visited.back().push_back(at);
+          }
+          const Eigen::Vector3d d = arc_descriptor(kFrame, arc_shape(drawn, reading.centre));
+          for (int c = 0; c < 3; ++c) descriptors.coordinate(c)[s] = static_cast<float>(d[c]);
+          const std::vector<int> after(visited.back().begin() + 1, visited.back().end());
+          fitness.push_back(-(irregularity(drawn) + plain_joint_term(points, after, reading.joint_term)));
         }
-        const ArcShape shape = arc_shape(drawn);
-        const Eigen::Vector3d d = arc_descriptor(kFrame, shape);
-        for (int c = 0; c < 3; ++c) descriptors.coordinate(c)[s] = static_cast<float>(d[c]);
-        fitness.push_back(-(irregularity(drawn) + variance));
+        const Median<3> median = geometric_median<3>(descriptors);
+        EXPECT_LT((outcomes[i].descriptor - median.point).norm(), 1e-5);
+        EXPECT_NEAR(outcomes[i].uncertainty, median.mean_distance, 1e-5);
+        EXPECT_NEAR(outcomes[i].fitness(), fitness[median.nearest], 1e-9);
+        EXPECT_NEAR(means[i], std::accumulate(fitness.begin(), fitness.end(), 0.0) / kSamples, 1e-4);
+        const std::vector<int>& expected = visited[median.nearest];
+        EXPECT_TRUE(std::equal(expected.begin(), expected.end(), outcomes[i].waypoints.begin()));
       }
-      const Median<3> median = geometric_median<3>(descriptors);
-      EXPECT_LT((outcome.descriptor - median.point).norm(), 1e-6);
-      EXPECT_NEAR(outcome.uncertainty, median.mean_distance, 1e-6);
-      EXPECT_NEAR(outcome.fitness(), fitness[median.nearest], 1e-9);
 
-      Batch batch(3, controller.genes, 3);
-      batch.genome.row(2) = Eigen::RowVectorXf::Map(genome.data(), controller.genes);
-      evaluator.evaluate(batch, 2, 3, Seed(28));
-      Rng row(Seed(28).child(2));
-      const ArcEvaluator::Outcome alone = evaluator.execute(genome.data(), row);
-      EXPECT_EQ(batch.descriptor.row(2).transpose(), alone.descriptor);
-      EXPECT_EQ(batch.uncertainty[2], alone.uncertainty);
-      EXPECT_EQ(batch.fitness[2], static_cast<float>(alone.fitness()));
+      evaluator.evaluate(batch, 60, 62, Seed(27));  // a row does not depend on its neighbours
+      for (int i = 60; i < 62; ++i) {
+        EXPECT_EQ(batch.descriptor.row(i).transpose(), outcomes[i].descriptor);
+        EXPECT_EQ(batch.uncertainty[i], outcomes[i].uncertainty);
+        EXPECT_EQ(batch.fitness[i], static_cast<float>(outcomes[i].fitness()));
+      }
     }
-  }
 }
 
-TEST_F(Layers, AnArcsWaypointsAreTheEndsOfItsLines) {
+TEST_F(Layers, ACostOfTheJointsIsItsMeanOverTheWaypoints) {
   const PointLayer points(point_elites, arm, kFrame);
-  const LineLayer lines(line_elites, kFrame);
-  const ArcController controller = arc_controller("lines");
-  const ArcEvaluator once(points, lines, kFrame, controller, 1);
-  for (int i = 0; i < 50; ++i) {
-    float genome[10];
-    for (float& g : genome) g = rng.uniform();
-    const ArcLines wanted = controller.decode(kFrame, genome);
-    const int start = static_cast<int>(Rng(Seed(30).child(i)).below(400));
-    Rng execution(Seed(30).child(i));
-    const ArcWaypoints waypoints = once.execute(genome, execution).waypoints;
-    const ArcPoints positions = pen_positions(points, waypoints);
-    int at = start;
-    double cost = 0;
-    EXPECT_EQ(waypoints[0], start);
-    for (int k = 0; k < 5; ++k) {
-      at = plain_line_end(at, plain_request(wanted[k]));
-      EXPECT_EQ(waypoints[k + 1], at);
-      EXPECT_LT((positions[k + 1] - pen(at)).norm(), 1e-9);
-      cost += few_joints(points.joints(at), 8) / 5;
-    }
-    EXPECT_NEAR(mean_joint_cost(points, waypoints, few_joints), cost, 1e-12);
-  }
+  const ArcWaypoints waypoints{7, 1, 2, 3, 4, 5};
+  double cost = 0;
+  for (int k = 1; k <= 5; ++k) cost += few_joints(points.joints(k), 8) / 5;
+  EXPECT_NEAR(mean_joint_cost(points, waypoints, few_joints), cost, 1e-12);
 }
 
 TEST_F(Layers, TheTurnControllerAsksForARegularArc) {
@@ -173,27 +174,52 @@ TEST_F(Layers, TheTurnControllerAsksForARegularArc) {
   EXPECT_NEAR(turn, (2 * 0.55f - 1) * std::numbers::pi, 1e-9);
 }
 
-TEST_F(Layers, AFlatArcStartsAtTheStraightArm) {
-  const FlatArcEvaluator evaluator(arm, kFrame);
-  Batch batch(20, evaluator.genes(), 3);
-  batch.genome = Rows::NullaryExpr(20, 40, [&] { return rng.uniform(); });
-  evaluator.evaluate(batch, 0, 20, Seed(0));
-  for (int i = 0; i < 20; ++i) {
-    ArcPoints drawn{Eigen::Vector2d(0.5815, 0)};
-    double variance = 0;
-    for (int w = 0; w < 5; ++w) {
-      Eigen::VectorXd q =
-          (batch.genome.row(i).segment(8 * w, 8).transpose().cast<double>().array() - 0.5) * std::numbers::pi;
-      Pen p;
-      arm.pens(1, q.data(), &p);
-      drawn[w + 1] = p.position;
-      variance += (q.array() - q.mean()).square().mean() / 5;
+TEST_F(Layers, AFlatArcIsFiveConfigurations) {
+  for (const FlatStart start : {FlatStart::kStraight, FlatStart::kFirst, FlatStart::kRandom})
+    for (const ArcReading reading : {ArcReading{}, ArcReading{ArcCentre::kCentroid, JointTerm::kPooled}}) {
+      const FlatArcEvaluator evaluator(arm, kFrame, start, reading);
+      EXPECT_EQ(evaluator.deterministic(), start != FlatStart::kRandom);
+      Batch batch(20, evaluator.genes(), 3);
+      batch.genome = Rows::NullaryExpr(20, 40, [&] { return rng.uniform(); });
+      evaluator.evaluate(batch, 0, 20, Seed(31));
+      for (int i = 0; i < 20; ++i) {
+        const auto configuration = [&](const Eigen::RowVectorXf& genes) {
+          return Eigen::VectorXd((genes.transpose().cast<double>().array() - 0.5) * std::numbers::pi);
+        };
+        const auto tip = [&](const Eigen::VectorXd& q) {
+          Pen p;
+          arm.pens(1, q.data(), &p);
+          return p.position;
+        };
+        std::vector<Eigen::Vector2d> drawn;
+        if (start == FlatStart::kStraight) drawn.emplace_back(0.5815, 0);
+        if (start == FlatStart::kRandom) {
+          Rng random(Seed(31).child(i));
+          Eigen::RowVectorXf genes(8);
+          for (float& g : genes) g = random.uniform();
+          drawn.push_back(tip(configuration(genes)));
+        }
+        Eigen::MatrixXd q(8, 5);
+        for (int w = 0; w < 5; ++w) {
+          q.col(w) = configuration(batch.genome.row(i).segment(8 * w, 8));
+          drawn.push_back(tip(q.col(w)));
+        }
+        double cost = (q.array() - q.mean()).square().mean();
+        if (reading.joint_term == JointTerm::kMean)
+          cost = (q.array().rowwise() - q.colwise().mean().array()).square().mean();
+        const Eigen::Vector3d d = arc_descriptor(kFrame, arc_shape(drawn, reading.centre));
+        EXPECT_LT((batch.descriptor.row(i).transpose().cast<double>() - d).norm(), 1e-6);
+        EXPECT_NEAR(batch.fitness[i], -(irregularity(drawn) + cost), 1e-4);
+      }
     }
-    const ArcShape shape = arc_shape(drawn);
-    EXPECT_LT((batch.descriptor.row(i).transpose().cast<double>() - arc_descriptor(kFrame, shape)).norm(),
-              1e-6);
-    EXPECT_NEAR(batch.fitness[i], -(irregularity(drawn) + variance), 1e-4);
-  }
+}
+
+TEST_F(Layers, ASquareKeepsItsCorners) {
+  Frame square = kFrame;
+  square.line_range = LineRange::kSquare;
+  const float corner[2] = {1, 0};
+  EXPECT_LT((decode_line(square, corner) - 0.256 * Eigen::Vector2d(1, -1)).norm(), 1e-12);
+  EXPECT_LT((decode_line(kFrame, corner) - 0.256 * Eigen::Vector2d(1, -1).normalized()).norm(), 1e-12);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "pipeline/core/random.h"
@@ -82,7 +83,10 @@ void table_agrees_with_brute_force(int n, int levels) {
   Rng rng(Seed(2).child(D).child(n));
   const Rows points = random_points<D>(n, rng);
   const NearestTable<D> table(points, -0.1f, 1.1f, levels);
-  for (int q = 0; q < 20000; ++q) {
+  constexpr int kQueries = 20000;
+  std::array<std::vector<float>, D> queries;
+  std::vector<std::int32_t> all_expected;
+  for (int q = 0; q < kQueries; ++q) {
     float query[D];
     for (int d = 0; d < D; ++d)
       query[d] =
@@ -93,6 +97,15 @@ void table_agrees_with_brute_force(int n, int levels) {
           NeighbourGrid<D>::distance2(points.row(expected).data(), query))
         expected = i;
     ASSERT_EQ(table.nearest(query), expected);
+    all_expected.push_back(expected);
+    for (int d = 0; d < D; ++d) queries[d].push_back(query[d]);
+  }
+  std::array<const float*, D> coordinates;
+  for (int d = 0; d < D; ++d) coordinates[d] = queries[d].data();
+  for (const int count : {0, 1, 63, 64, 65, kQueries}) {
+    std::vector<std::int32_t> found(count);
+    table.nearest(count, coordinates, found.data());
+    EXPECT_TRUE(std::equal(found.begin(), found.end(), all_expected.begin()));
   }
 }
 

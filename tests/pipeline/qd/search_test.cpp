@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <set>
@@ -77,6 +78,48 @@ TEST(Search, FillsTheSpaceAndImproves) {
     EXPECT_EQ(elites.uncertainty[i], 2 * elites.solution(i, 1));
     EXPECT_EQ(elites.parent[i] == -1, elites.id[i] < 50);  // the first generation is drawn at random
   }
+}
+
+// A toy without noise, which counts what it evaluates and may say that it repeats itself.
+struct CountingToy final : Evaluator {
+  CountingToy(bool says_so, std::atomic<long>& count) : deterministic_(says_so), evaluated(count) {}
+  int descriptor_size() const override { return 2; }
+  bool deterministic() const override { return deterministic_; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed) const override {
+    evaluated += end - begin;
+    for (Eigen::Index i = begin; i < end; ++i) {
+      batch.descriptor.row(i) = batch.genome.row(i).head(2);
+      batch.fitness[i] = -batch.genome(i, 2);
+      batch.uncertainty[i] = 2 * batch.genome(i, 1);
+      batch.valid[i] = batch.genome(i, 0) + batch.genome(i, 1) < 1.5f;
+    }
+  }
+  bool deterministic_;
+  std::atomic<long>& evaluated;
+};
+
+TEST(Search, ACopyOfADeterministicSolutionNeedsNoEvaluation) {
+  for (const Container& container : all_containers())
+    for (const Credit credit : {Credit::kParent, Credit::kPublished}) {
+      std::atomic<long> evaluated[2] = {0, 0};
+      SearchState state[2];
+      for (const bool says_so : {false, true}) {
+        const CountingToy toy(says_so, evaluated[says_so]);
+        const PolynomialMutation variation{3, 10, 0.3f};
+        const auto repertoire = container.make(3, 2);
+        CuriositySelector selector;
+        Search search(*repertoire, selector, variation, toy, {60, 50, 7, credit}, Seed(19));
+        Workers workers(2);
+        while (!search.done()) search.step(workers);
+        state[says_so] = search.state();
+      }
+      expect_same(state[0], state[1]);
+      EXPECT_EQ(state[0].elites.uncertainty, state[1].elites.uncertainty);
+      EXPECT_EQ(evaluated[0], 60 * 50);
+      // A third of the children mutate in no gene, and some genes at a border stay there.
+      EXPECT_LT(evaluated[1], 50 + 59 * 50 * (1 - 0.7 * 0.7 * 0.7) + 100);
+      EXPECT_GT(evaluated[1], 0.4 * 60 * 50);
+    }
 }
 
 // The first number of every stream that a search hands out, noted by what it is handed to.
