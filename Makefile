@@ -17,7 +17,8 @@ REP ?=
 BENCH ?=
 export MNIST_DIR
 
-targets := help deps build data all test bench sanitize coverage format check-format status audit graph clean distclean
+targets := help deps build data all test bench sanitize coverage format check-format status audit graph reference \
+  verify clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -40,6 +41,8 @@ help:
 	@echo 'make status          what is fresh, stale or missing, and why'
 	@echo 'make audit           read every artifact again and compare it with its manifest'
 	@echo 'make graph           OUT/graph.svg: the stages and what they hand on'
+	@echo 'make verify          compare the finished run in OUT with reports/reference/NAME, NAME as in the profile'
+	@echo 'make reference       keep the finished run in OUT as that reference'
 	@echo 'make deps, build, data   install what is missing; build the programs; fetch MNIST'
 	@echo 'make clean           remove build/; distclean: out/ and .cache/ (downloads), too'
 	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
@@ -81,11 +84,16 @@ all $(stages): experiment
 	  $(programs)/publish '$(OUT)/page' '$(OUT)' '$(OUT)/report'
 
 data: build/.packages
-	@DEPS='$(DEPS)' pipeline/fetch_mnist.sh .cache/mnist
+	@DEPS='$(DEPS)' pipeline/fetch_mnist.sh $(mnist)
 
-# The + hands over make's jobs, and lets `make -n` list what would run.
-experiment: build data
+# MNIST is fetched where the profile asks for it and it is not there. The + hands over make's jobs, and lets
+# `make -n` list what would run.
+mnist := .cache/mnist
+experiment: build
 	+@$(if $(dry),[ -x $(programs)/hbr ] || { echo '# then all that the profile asks for: nothing is built yet'; exit 0; };) \
+	  missing=$$($(programs)/hbr missing $(arguments) $(goals)); \
+	  case $$missing in *"/$(mnist)/"* $(if $(MNIST_DIR),| *'$(MNIST_DIR)/'*)) \
+	    $(if $(dry),echo '# MNIST is fetched first',DEPS='$(DEPS)' pipeline/fetch_mnist.sh $(mnist));; esac; \
 	  exec $(programs)/hbr $(if $(dry),plan,make --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
 
 status audit: build
@@ -95,6 +103,13 @@ graph: build
 	@mkdir -p '$(OUT)'
 	@$(programs)/hbr graph $(arguments) | dot -Tsvg >'$(OUT)/graph.svg'
 	@echo '$(OUT)/graph.svg'
+
+# reports/reference/NAME: what a finished run found, in a few small files.
+reference: build
+	@$(programs)/reference keep '$(OUT)' reports/reference
+
+verify: build
+	@$(programs)/reference verify '$(OUT)' reports/reference
 
 # Tests and checks -----------------------------------------------------------------------------------------------
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <vector>
 
 #include "pipeline/artifact/manifest.h"
 #include "pipeline/artifact/progress.h"
@@ -33,7 +34,8 @@ struct StageFacts {
 
 struct Facts {
   std::map<std::string, StageFacts> stages;
-  std::map<std::string, std::set<std::string>> words;  // "version", "compiler", "host" -> what occurs
+  std::map<std::string, StageFacts> variations;        // all stages of each together
+  std::map<std::string, std::set<std::string>> words;  // "version", "compiler", ... -> what occurs
 };
 
 Facts read_facts(const fs::path& out) {
@@ -48,13 +50,16 @@ Facts read_facts(const fs::path& out) {
       }
   Facts facts;
   for (const Manifest& manifest : manifests) {
-    StageFacts& stage = facts.stages[manifest.made_from.slice.value("stage", "")];
+    const std::string variation = manifest.made_from.slice.value("variation", "");
+    StageFacts& stage = variation.empty() ? facts.stages[manifest.made_from.slice.value("stage", "")]
+                                          : facts.variations[variation];
     ++stage.artifacts;
     stage.seconds += manifest.run.value("seconds", 0.0);
     stage.cpu_seconds += manifest.run.value("cpu_seconds", 0.0);
     stage.memory = std::max(stage.memory, manifest.run.value("peak_memory_bytes", 0.0));
-    for (const char* word : {"version", "compiler", "host"})
+    for (const char* word : {"version", "compiler", "architecture", "host"})
       facts.words[word].insert(manifest.run.value(word, "unknown"));
+    if (!variation.empty()) continue;
     const auto inputs = manifest.made_from.slice.value("inputs", nlohmann::json::object());
     for (const auto& [name, output] : inputs.items())
       if (const auto found = stage_of.find(output.get<std::string>()); found != stage_of.end())
@@ -92,12 +97,14 @@ std::string provenance_html(const fs::path& out) {
     html += fmt::format("<dt>{}</dt><dd><code>{}</code></dd>\n", word, all);
   }
   double longest = 1e-9, total = 0, total_cpu = 0;
-  for (const auto& [name, stage] : facts.stages) {
+  std::vector<std::pair<std::string, StageFacts>> shown(facts.stages.begin(), facts.stages.end());
+  for (const auto& [name, variation] : facts.variations) shown.emplace_back("variation " + name, variation);
+  for (const auto& [name, stage] : shown) {
     longest = std::max(longest, stage.seconds);
     total += stage.seconds;
     total_cpu += stage.cpu_seconds;
   }
-  for (const auto& [name, stage] : facts.stages)
+  for (const auto& [name, stage] : shown)
     rows += fmt::format(
         "<tr><td><code>{}</code></td><td>{}</td><td>{} <span class=\"bar\" "
         "style=\"width:{:.1f}rem\"></span></td>"

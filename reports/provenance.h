@@ -8,8 +8,8 @@
 
 namespace hbr {
 
-// HTML: versions, compilers, hosts; time, processor time and memory of each stage; the graph of the stages
-// (by dot).
+// HTML: versions, compilers, hosts; time, processor time and memory of each stage and of each variation; the
+// graph of the stages (by dot).
 std::string provenance_html(const std::filesystem::path& out);
 
 // Copies the folder `page` (an artifact of the report stage) to `report`, with the provenance of `out` in

@@ -11,6 +11,7 @@
 
 #include "pipeline/artifact/child.h"
 #include "pipeline/artifact/progress.h"
+#include "pipeline/artifact/toolchain.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -57,16 +58,17 @@ void replace(const fs::path& artifact, const fs::path& output) {
 nlohmann::json run_facts(const ChildResult& child, const RunOptions& options, std::time_t started) {
   char host[256] = "";
   ::gethostname(host, sizeof host - 1);
-  return {{"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
-          {"seconds", child.seconds},
-          {"cpu_seconds", child.cpu_seconds},
-          {"peak_memory_bytes", child.peak_memory_bytes},
-          {"exit", child.exit_code},
-          {"host", host},
-          {"threads", options.threads},
-          {"launch", options.launch},
-          {"version", options.version},
-          {"compiler", "GCC " __VERSION__}};
+  nlohmann::json facts = toolchain();
+  facts.update({{"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
+                {"seconds", child.seconds},
+                {"cpu_seconds", child.cpu_seconds},
+                {"peak_memory_bytes", child.peak_memory_bytes},
+                {"exit", child.exit_code},
+                {"host", host},
+                {"threads", options.threads},
+                {"launch", options.launch},
+                {"version", options.version}});
+  return facts;
 }
 
 }  // namespace

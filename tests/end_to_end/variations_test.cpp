@@ -61,6 +61,25 @@ TEST(Variations, RunOnlyWhatTheyTouchAndGiveTheBytesOfTheChangedProfile) {
   EXPECT_THAT(before.at("page/index.html"), Not(HasSubstr("sensitivity\"")));
   EXPECT_EQ(made(experiment.make_of("varied.toml", "varied", 1)), "");
 
+  // What is kept of it as a reference is what verifying finds again; another run is told from it.
+  const std::string reference = HBR_BINARY_DIR "/bin/reference ", folder = experiment.out("kept").string();
+  const auto call = [&](const std::string& task, const std::string& out) {
+    return shell(reference + task + " " + experiment.out(out).string() + " " + folder);
+  };
+  EXPECT_THAT(call("verify", "varied").text, HasSubstr("there is no reference"));
+  ASSERT_EQ(call("keep", "varied").code, 0);
+  const Outcome verified = call("verify", "varied");
+  EXPECT_EQ(verified.code, 0) << verified.text;
+  EXPECT_THAT(verified.text, HasSubstr("bit for bit: no difference"));
+  fs::rename(experiment.out("kept/varied"), experiment.out("kept/tiny"));
+  const Outcome other_run = call("verify", "plain");
+  EXPECT_EQ(other_run.code, 0) << other_run.text;
+  EXPECT_THAT(other_run.text, HasSubstr("variation short: not in this run, not compared"));
+  fs::rename(experiment.out("kept/tiny/short.statistics.json"), experiment.out("kept/tiny/statistics.json"));
+  const Outcome different = call("verify", "plain");
+  EXPECT_EQ(different.code, 2);
+  EXPECT_THAT(different.text, HasSubstr("different: layer3.n10.mean: "));
+
   // What changes in the base is no less a change.
   experiment.profile.set("layer3", "epsilon", "0.025");
   experiment.profile.set("experiments", "fresh_starts", "7");

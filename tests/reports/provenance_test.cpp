@@ -42,6 +42,16 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
             {{"layer1", "layer1/00.h5"}},
             {}},
            5);
+  manifest(out,
+           {"layer2",
+            "layer2_n10",
+            0,
+            "short/layer2_n10/00.h5",
+            nlohmann::json::object(),
+            {{"layer1", "layer1/00.h5"}},
+            {},
+            "short"},
+           7);
   fs::create_directories(out / "page/figures");
   std::ofstream(out / "page/index.html") << "a<!-- provenance -->b";
   std::ofstream(out / "page/figures/x.csv") << "1";
@@ -49,6 +59,8 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
   std::ifstream file(out / "report/index.html");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(page, HasSubstr("<td><code>layer1</code></td><td>2</td><td>1:00"));
+  EXPECT_THAT(page, HasSubstr("<td><code>layer2_n10</code></td><td>1</td><td>5.0 s"));
+  EXPECT_THAT(page, HasSubstr("<td><code>variation short</code></td><td>1</td><td>7.0 s"));
   EXPECT_THAT(page, HasSubstr("v1-dirty"));
   EXPECT_THAT(page, HasSubstr("&lt;box&gt;"));
   EXPECT_THAT(page, HasSubstr("layer2_n10</text>"));
