@@ -31,7 +31,7 @@ class LocalScoresOf final : public LocalScores {
     farthest_ = 0;
     for (Slot s = 0; s < before; ++s) farthest_ = std::max(farthest_, reach2_[s]);
     for (const Slot s : replaced) {
-      if (s >= before || stale_[s] == kMoved) continue;  // new ones come next
+      if (s >= before) continue;  // new ones come next
       touch(point(s));
       grid_.erase(s, point(s));
       place(s, store);
@@ -47,7 +47,6 @@ class LocalScoresOf final : public LocalScores {
 
  private:
   using Grid = NeighbourGrid<D>;
-  static constexpr std::uint8_t kTouched = 1, kMoved = 2;
 
   const float* point(Slot s) const { return &point_[static_cast<std::size_t>(s) * D]; }
 
@@ -56,17 +55,17 @@ class LocalScoresOf final : public LocalScores {
     std::copy_n(store.descriptor(s), D, &point_[static_cast<std::size_t>(s) * D]);
     touch(point(s));
     grid_.insert(s, point(s));
-    stale_[s] = kMoved;
+    stale_[s] = 1;
   }
 
   // Marks the elites whose k nearest may change with an elite at `place`.
   void touch(const float* place) {
     if (farthest_ == kEverything) {
-      for (std::uint8_t& stale : stale_) stale = std::max(stale, kTouched);
+      std::fill(stale_.begin(), stale_.end(), std::uint8_t{1});
       return;
     }
     grid_.near(place, std::sqrt(farthest_), [&](Slot s) {
-      if (!stale_[s] && Grid::distance2(point(s), place) <= reach2_[s]) stale_[s] = kTouched;
+      if (!stale_[s] && Grid::distance2(point(s), place) <= reach2_[s]) stale_[s] = 1;
       return true;
     });
   }
@@ -101,7 +100,7 @@ class LocalScoresOf final : public LocalScores {
   std::vector<float> point_;         // [n x D] where the grid has them
   std::vector<float> reach2_;        // [n] squared distance to the k-th nearest; everything: fewer than k
   float farthest_ = 0;               // the greatest of them
-  std::vector<std::uint8_t> stale_;  // [n] 0, kTouched or kMoved
+  std::vector<std::uint8_t> stale_;  // [n] 1: its scores are to be computed again
 };
 
 }  // namespace

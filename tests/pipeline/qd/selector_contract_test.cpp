@@ -188,6 +188,35 @@ TEST_P(SelectorContract, DrawsEqualsAlike) {
   for (const int n : drawn) EXPECT_NEAR(n, 10000, 5 * 87);
 }
 
+// On a raster many elites are as novel, and some outperform as many besides.
+TEST(NslcSelector, FrontsAreThosePeeledOffOneByOne) {
+  Rng rng(Seed(35));
+  EliteStore store(4, 2);
+  const auto scores = make_local_scores(2, kTestNeighbours, 0, 1);
+  NslcSelector selector(make_local_scores(2, kTestNeighbours, 0, 1));
+  const auto on_a_raster = [&](std::int64_t id) {
+    Solution s = random_solution(rng, id, 2, -1);
+    for (float& x : s.descriptor) x = std::round(x * 8) / 8;
+    return s;
+  };
+  for (int id = 0; id < 300; ++id) {
+    if (id % 3 == 2) {
+      const auto slot = static_cast<Slot>(rng.below(store.size()));
+      store.replace(slot, on_a_raster(id).candidate());
+      selector.learn(kNoSlot, {Outcome::kReplaced, slot});
+      scores->update(store, {slot});
+    } else {
+      selector.learn(kNoSlot, {Outcome::kNovel, store.append(on_a_raster(id).candidate())});
+      scores->update(store, {});
+    }
+    selector.refresh(store);
+    ASSERT_EQ(selector.front(),
+              plain_fronts({{scores->novelty().begin(), scores->novelty().end()},
+                            {scores->outperformed().begin(), scores->outperformed().end()}}))
+        << id;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AllSelectors, SelectorContract, testing::ValuesIn(all_selectors()),
                          [](const auto& instance) { return instance.param.name; });
 
