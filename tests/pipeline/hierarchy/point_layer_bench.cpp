@@ -56,6 +56,22 @@ void nearest_table(benchmark::State& state) {
 }
 BENCHMARK(nearest_table);
 
+void nearest_batch(benchmark::State& state) {
+  constexpr int kQueries = 10000;
+  const NearestTable<2> table(evolved_layers().point_elites.measures, -0.25f, 1.25f, 8);
+  const Rows ends = line_ends(kQueries);
+  const Eigen::VectorXf x = ends.col(0), y = ends.col(1);
+  const int at_once = static_cast<int>(state.range(0));
+  std::vector<std::int32_t> found(kQueries);
+  for (auto _ : state) {
+    for (int i = 0; i < kQueries; i += at_once)
+      table.nearest(at_once, {x.data() + i, y.data() + i}, found.data() + i);
+    benchmark::DoNotOptimize(found.data());
+  }
+  state.SetItemsProcessed(state.iterations() * kQueries);
+}
+BENCHMARK(nearest_batch)->Arg(10)->Arg(100)->Arg(1000);
+
 // Children that the finished layer breeds, evaluated.
 struct Children {
   explicit Children(int n) : batch(n, 8, 2) {
