@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace hbr {
 namespace {
@@ -42,12 +43,13 @@ struct Pull {
   Point<D> force;                     // sum of the unit vectors towards the samples
   Eigen::Matrix<float, D, D> spread;  // sum of their outer products over the distance
   float weights;                      // sum of 1 / distance
+  float cost;                         // sum of the distances, which the median makes least
   float here;  // samples that are right there: they hold the place with the strength of their number
 
   Pull(const Samples<D>& samples, const Point<D>& place) {
     constexpr float kCoincident2 = 1e-14f;
     constexpr int kPairs = D * (D + 1) / 2;
-    Lanes force_lanes[D] = {}, spread_lanes[kPairs] = {}, weight_lanes = {}, here_lanes = {};
+    Lanes force_lanes[D] = {}, spread_lanes[kPairs] = {}, weight_lanes = {}, cost_lanes = {}, here_lanes = {};
     const Lanes none = {};
     for (int g = 0; g < samples.groups(); ++g) {
       const Lanes present = load(samples.present() + g * kLanes);
@@ -59,6 +61,7 @@ struct Pull {
       const auto apart = squared > kCoincident2;
       const Lanes weight = apart ? present / square_root(squared) : none;
       weight_lanes += weight;
+      cost_lanes += weight * squared;
       here_lanes += apart ? none : present;
       for (int d = 0, pair = 0; d < D; ++d) {
         const Lanes unit = weight * offset[d];
@@ -71,11 +74,19 @@ struct Pull {
       for (int c = 0; c <= d; ++c, ++pair) spread(d, c) = spread(c, d) = sum_of_lanes(spread_lanes[pair]);
     }
     weights = sum_of_lanes(weight_lanes);
+    cost = sum_of_lanes(cost_lanes);
     here = sum_of_lanes(here_lanes);
   }
 
   // Whether the place is the median, being a sample.
   bool holds() const { return here > 0 && force.norm() <= here; }
+
+  // Nearer to the median; where the costs agree to their last bits, the pull tells.
+  bool better_than(const Pull& other) const {
+    constexpr float kRounding = 1e-6f;
+    return cost < (1 - kRounding) * other.cost ||
+           (cost < (1 + kRounding) * other.cost && force.squaredNorm() < 0.25f * other.force.squaredNorm());
+  }
 
   // Weiszfeld's step; at a sample, that of Vardi and Zhang. It never leads uphill.
   Point<D> safe_step() const {
@@ -94,22 +105,37 @@ struct Pull {
 };
 
 template <int D>
-Median<D> with_distances(const Samples<D>& samples, const Point<D>& place) {
-  thread_local std::vector<float> squared;
-  squared.resize(samples.groups() * kLanes);
-  Lanes distances = {};
-  for (int g = 0; g < samples.groups(); ++g) {
-    Lanes sum = {};
-    for (int d = 0; d < D; ++d) {
-      const Lanes offset = load(samples.coordinate(d) + g * kLanes) - place[d];
-      sum += offset * offset;
-    }
-    distances += load(samples.present() + g * kLanes) * square_root(sum);
-    std::memcpy(&squared[g * kLanes], &sum, sizeof sum);
+Lanes squared_distances(const Samples<D>& samples, int group, const Point<D>& place) {
+  Lanes sum = {};
+  for (int d = 0; d < D; ++d) {
+    const Lanes offset = load(samples.coordinate(d) + group * kLanes) - place[d];
+    sum += offset * offset;
   }
-  const auto least = std::min_element(squared.begin(), squared.begin() + samples.size());
-  return {place, sum_of_lanes(distances) / static_cast<float>(samples.size()),
-          static_cast<int>(least - squared.begin())};
+  return sum;
+}
+
+template <int D>
+int nearest_sample(const Samples<D>& samples, const Point<D>& place) {
+  int nearest = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (int g = 0; g < samples.groups(); ++g) {
+    alignas(sizeof(Lanes)) float squared[kLanes];
+    const Lanes lanes = squared_distances<D>(samples, g, place);
+    std::memcpy(squared, &lanes, sizeof lanes);
+    for (int l = 0; l < kLanes && g * kLanes + l < samples.size(); ++l) {
+      nearest = squared[l] < least ? g * kLanes + l : nearest;
+      least = squared[l] < least ? squared[l] : least;
+    }
+  }
+  return nearest;
+}
+
+template <int D>
+Median<D> with_distances(const Samples<D>& samples, const Point<D>& place) {
+  Lanes distances = {};
+  for (int g = 0; g < samples.groups(); ++g)
+    distances += load(samples.present() + g * kLanes) * square_root(squared_distances<D>(samples, g, place));
+  return {place, sum_of_lanes(distances) / static_cast<float>(samples.size()), nearest_sample(samples, place)};
 }
 
 }  // namespace
@@ -127,7 +153,7 @@ void Samples<D>::resize(int n) {
 template <int D>
 Median<D> geometric_median(const Samples<D>& samples) {
   constexpr float kTolerance = 1e-6f;
-  constexpr int kMostSteps = 1000, kSampleEvery = 4, kMostRefusals = 3;
+  constexpr int kMostSteps = 1000, kFirstSteps = 2, kMostHalvings = 2;
   const int n = samples.size();
 
   Point<D> place = Point<D>::Zero();
@@ -137,40 +163,45 @@ Median<D> geometric_median(const Samples<D>& samples) {
   }
   if (n <= 2) return with_distances<D>(samples, place);
 
-  // The sample nearest to the place, if it is the median: the steps near such a median slowly, or in circles.
-  const auto sample_that_holds = [&](Median<D>& found) {
-    found = with_distances<D>(samples, place);
-    const Point<D> sample = samples.sample(found.nearest);
+  // A median that is a sample is neared slowly, or in circles: the sample nearest to the place is tried, once.
+  int tried = -1;
+  const auto nearest_holds = [&] {
+    const int nearest = nearest_sample(samples, place);
+    if (nearest == tried) return false;
+    tried = nearest;
+    const Point<D> sample = samples.sample(nearest);
     if (!Pull<D>(samples, sample).holds()) return false;
-    found = with_distances<D>(samples, sample);
+    place = sample;
     return true;
   };
 
-  Median<D> found;
   Pull<D> pull(samples, place);
-  int refusals = 0;
   for (int step = 1; step <= kMostSteps; ++step) {
     if (pull.weights == 0 || pull.holds()) break;
     Point<D> move;
-    if (refusals < kMostRefusals && step > 2 && pull.newton_step(move)) {
+    bool newton = step > kFirstSteps && pull.newton_step(move);
+    for (int halvings = 0; newton; ++halvings, move /= 2) {
       const Pull<D> there(samples, place + move);
-      // The pull lessens on the way to the median: a step that does not is one too far.
-      if (there.force.squaredNorm() <= 0.9f * pull.force.squaredNorm() || move.norm() < kTolerance) {
+      if (there.better_than(pull) || move.norm() < kTolerance) {
         place += move;
         pull = there;
-        if (move.norm() < kTolerance) break;
-        continue;
+        break;
       }
-      ++refusals;
+      newton = halvings < kMostHalvings;
     }
-    move = pull.safe_step();
-    place += move;
-    if (move.norm() < kTolerance) break;
-    if (step % kSampleEvery == 2 && sample_that_holds(found)) return found;
-    pull = Pull<D>(samples, place);
+    if (!newton) {
+      if (step >= kFirstSteps && nearest_holds()) break;
+      move = pull.safe_step();
+      place += move;
+      pull = Pull<D>(samples, place);
+    }
+    if (move.norm() < kTolerance) {
+      if (newton) return with_distances<D>(samples, place);  // no pull left: that is the median
+      break;
+    }
   }
-  sample_that_holds(found);
-  return found;
+  nearest_holds();
+  return with_distances<D>(samples, place);
 }
 
 template class Samples<2>;
