@@ -39,7 +39,7 @@ class Reference {
     Eigen::Vector4f query;
     query << frame_.point_descriptor(from).cast<float>(), frame_.line_descriptor(wanted).cast<float>();
     Grid::Near near;
-    grid_.nearest([&](hbr::Slot s) { return descriptor(s); }, query.data(), 1, hbr::kNoSlot, &near);
+    grid_.nearest(query.data(), 1, hbr::kNoSlot, &near);
     return near.slot;
   }
   Eigen::Vector2d end(hbr::Slot s) const {

@@ -24,7 +24,7 @@ class NearestCentroid {
 
   Slot operator()(const float* query) const {
     typename NeighbourGrid<D>::Near near;
-    grid_.nearest([this](Slot c) { return point(c); }, query, 1, kNoSlot, &near);
+    grid_.nearest(query, 1, kNoSlot, &near);
     return near.slot;
   }
 

@@ -28,7 +28,7 @@ class DistanceArchive final : public Repertoire {
     // A lone elite is never replaced: it has no neighbours to be less novel than (as the published code has
     // it).
     if (size() == 1 || near.second_is_too_near || !wins(c, near.first)) return {Outcome::kRejected, kNoSlot};
-    grid_.erase(near.first, store_.descriptor(near.first));
+    grid_.erase(near.first);
     store_.replace(near.first, c);
     grid_.insert(near.first, c.descriptor);
     return {Outcome::kReplaced, near.first};
@@ -50,13 +50,11 @@ class DistanceArchive final : public Repertoire {
 
   Neighbours two_nearest(const float* point) const {
     const float inner = (1 - settings_.epsilon) * settings_.spacing;
-    const float outer2 = settings_.spacing * settings_.spacing, inner2 = inner * inner;
+    const float inner2 = inner * inner;
     float nearest2 = std::numeric_limits<float>::infinity();
     int within_inner = 0;
     Neighbours found;
-    grid_.near(point, settings_.spacing, [&](Slot s) {
-      const float d2 = Grid::distance2(store_.descriptor(s), point);
-      if (d2 > outer2) return true;
+    grid_.near(point, settings_.spacing, [&](Slot s, float d2) {
       within_inner += d2 < inner2;
       if (d2 < nearest2 || (d2 == nearest2 && s < found.first)) {
         nearest2 = d2;
@@ -71,8 +69,7 @@ class DistanceArchive final : public Repertoire {
   // Mean distance to the k nearest elites, `excluded` left out.
   float novelty(const float* point, Slot excluded) const {
     std::array<typename Grid::Near, kMostNeighbours> near;
-    const int found = grid_.nearest([&](Slot s) { return store_.descriptor(s); }, point, settings_.neighbours,
-                                    excluded, near.data());
+    const int found = grid_.nearest(point, settings_.neighbours, excluded, near.data());
     float sum = 0;
     for (int i = 0; i < found; ++i) sum += std::sqrt(near[i].squared);
     return sum / static_cast<float>(found);

@@ -33,7 +33,7 @@ class LocalScoresOf final : public LocalScores {
     for (const Slot s : replaced) {
       if (s >= before) continue;  // new ones come next
       touch(point(s));
-      grid_.erase(s, point(s));
+      grid_.erase(s);
       place(s, store);
     }
     for (Slot s = before; s < now; ++s) place(s, store);
@@ -64,16 +64,16 @@ class LocalScoresOf final : public LocalScores {
       std::fill(stale_.begin(), stale_.end(), std::uint8_t{1});
       return;
     }
-    grid_.near(place, std::sqrt(farthest_), [&](Slot s) {
-      if (!stale_[s] && Grid::distance2(point(s), place) <= reach2_[s]) stale_[s] = 1;
+    const float reach = std::sqrt(farthest_) * 1.0001f;  // the root may have been rounded down
+    grid_.near(place, reach, [&](Slot s, float squared) {
+      if (!stale_[s] && squared <= reach2_[s]) stale_[s] = 1;
       return true;
     });
   }
 
   void score(Slot s, const EliteStore& store) {
     std::array<typename Grid::Near, kMostNeighbours> near;
-    const int found =
-        grid_.nearest([this](Slot n) { return point(n); }, point(s), neighbours_, s, near.data());
+    const int found = grid_.nearest(point(s), neighbours_, s, near.data());
     float sum = 0;
     int outperformed = 0;
     for (int i = 0; i < found; ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "pipeline/core/random.h"
@@ -46,18 +47,15 @@ class CuriositySelector final : public Selector {
   void restore(const std::vector<std::int64_t>& memory) override;
 
  private:
-  struct Node {
-    std::int64_t sum = 0;
-    std::int64_t least = 0;
-    std::int64_t count = 0;
-  };
+  static constexpr std::int64_t kUnused = std::numeric_limits<std::int64_t>::max();
   void set(Slot slot, std::int64_t score);
-  static Node merge(const Node& a, const Node& b);
 
-  // A complete binary tree over the slots, the root at 1, the leaves from leaves_ on; an unused leaf counts
-  // 0.
-  std::vector<Node> tree_ = std::vector<Node>(2);
+  // A complete binary tree over the slots, the root at 1, the leaves from leaves_ on: sum and least of the
+  // scores below a node.
+  std::vector<std::int64_t> sum_ = std::vector<std::int64_t>(2, 0);
+  std::vector<std::int64_t> least_ = std::vector<std::int64_t>(2, kUnused);
   std::size_t leaves_ = 1;
+  Slot size_ = 0;
 };
 
 }  // namespace hbr

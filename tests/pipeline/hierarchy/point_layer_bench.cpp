@@ -39,12 +39,11 @@ BENCHMARK(nearest_naive);
 
 void nearest_rings(benchmark::State& state) {
   const Rows& measures = evolved_layers().point_elites.measures;
-  const auto point_of = [&](Slot s) { return measures.row(s).data(); };
   NeighbourGrid<2> grid(0, 1, kPointArchive.spacing);
-  for (Slot s = 0; s < measures.rows(); ++s) grid.insert(s, point_of(s));
+  for (Slot s = 0; s < measures.rows(); ++s) grid.insert(s, measures.row(s).data());
   look_up(state, 10000, [&](const float* query) {
     NeighbourGrid<2>::Near near;
-    grid.nearest(point_of, query, 1, kNoSlot, &near);
+    grid.nearest(query, 1, kNoSlot, &near);
     return near.slot;
   });
 }

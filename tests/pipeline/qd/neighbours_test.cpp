@@ -29,7 +29,7 @@ void grid_agrees_with_brute_force() {
   NeighbourGrid<D> grid(0, 1, 0.07f);
   const auto point_of = [&](Slot s) { return points.row(s).data(); };
   for (Slot s = 0; s < 600; ++s) grid.insert(s, point_of(s));
-  for (Slot s = 0; s < 600; s += 4) grid.erase(s, point_of(s));
+  for (Slot s = 0; s < 600; s += 4) grid.erase(s);
   std::vector<Slot> present;
   for (Slot s = 0; s < 600; ++s)
     if (s % 4) present.push_back(s);
@@ -44,20 +44,23 @@ void grid_agrees_with_brute_force() {
     std::sort(all.begin(), all.end());
 
     typename NeighbourGrid<D>::Near near[15];
-    ASSERT_EQ(grid.nearest(point_of, query, 15, excluded, near), 15);
+    ASSERT_EQ(grid.nearest(query, 15, excluded, near), 15);
     for (int k = 0; k < 15; ++k) {
       EXPECT_EQ(near[k].squared, all[k].first);
       EXPECT_EQ(near[k].slot, all[k].second);
     }
-    std::vector<Slot> within, expected;
-    grid.near(query, 0.1f, [&](Slot s) {
-      if (NeighbourGrid<D>::distance2(point_of(s), query) <= 0.01f) within.push_back(s);
-      return true;
-    });
-    for (const Slot s : present)
-      if (NeighbourGrid<D>::distance2(point_of(s), query) <= 0.01f) expected.push_back(s);
-    std::sort(within.begin(), within.end());
-    EXPECT_EQ(within, expected);
+    for (const float radius : {0.03f, 0.07f, 0.1f, 0.4f}) {
+      std::vector<Slot> within, expected;
+      grid.near(query, radius, [&](Slot s, float squared) {
+        EXPECT_EQ(squared, NeighbourGrid<D>::distance2(point_of(s), query));
+        within.push_back(s);
+        return true;
+      });
+      for (const Slot s : present)
+        if (NeighbourGrid<D>::distance2(point_of(s), query) <= radius * radius) expected.push_back(s);
+      std::sort(within.begin(), within.end());
+      EXPECT_EQ(within, expected);
+    }
   }
 }
 
@@ -74,8 +77,8 @@ TEST(NeighbourGrid, FewerThanAskedFor) {
   const float p[2] = {0.5f, 0.5f};
   grid.insert(0, p);
   NeighbourGrid<2>::Near near[3];
-  EXPECT_EQ(grid.nearest([&](Slot) { return p; }, p, 3, kNoSlot, near), 1);
-  EXPECT_EQ(grid.nearest([&](Slot) { return p; }, p, 3, 0, near), 0);
+  EXPECT_EQ(grid.nearest(p, 3, kNoSlot, near), 1);
+  EXPECT_EQ(grid.nearest(p, 3, 0, near), 0);
 }
 
 template <int D>
