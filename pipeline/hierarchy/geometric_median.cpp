@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -21,20 +22,36 @@ Lanes load(const float* from) {
   return lanes;
 }
 
-Lanes square_root(Lanes lanes) {
-  alignas(sizeof(Lanes)) float roots[kLanes];
-  std::memcpy(roots, &lanes, sizeof lanes);
-  for (float& root : roots) root = std::sqrt(root);
-  return load(roots);
+// 1 / sqrt(x) to a float's precision, x positive: a guess from the exponent (Lomont 2003) and three steps of
+// Newton, in a third of the time that a root and a division take.
+Lanes inverse_root(Lanes x) {
+  using IntLanes [[gnu::vector_size(kLanes * sizeof(std::int32_t))]] = std::int32_t;
+  IntLanes bits;
+  std::memcpy(&bits, &x, sizeof x);
+  bits = 0x5f375a86 - (bits >> 1);
+  Lanes y;
+  std::memcpy(&y, &bits, sizeof y);
+  const Lanes half = 0.5f * x;
+  for (int step = 0; step < 3; ++step) y = y * (1.5f - half * y * y);
+  return y;
 }
 
 // Halves added to halves: the order does not depend on the width of the machine's vectors.
-float sum_of_lanes(Lanes lanes) {
-  alignas(sizeof(Lanes)) float sums[kLanes];
-  std::memcpy(sums, &lanes, sizeof lanes);
-  for (int half = kLanes / 2; half > 0; half /= 2)
-    for (int l = 0; l < half; ++l) sums[l] += sums[l + half];
-  return sums[0];
+template <int kWidth>
+float sum_of_halves(const float* lanes) {
+  if constexpr (kWidth == 1) {
+    return *lanes;
+  } else {
+    using Half [[gnu::vector_size(kWidth / 2 * sizeof(float))]] = float;
+    Half low, high;
+    std::memcpy(&low, lanes, sizeof low);
+    std::memcpy(&high, lanes + kWidth / 2, sizeof high);
+    low += high;
+    return sum_of_halves<kWidth / 2>(reinterpret_cast<const float*>(&low));
+  }
+}
+float sum_of_lanes(const Lanes& lanes) {
+  return sum_of_halves<kLanes>(reinterpret_cast<const float*>(&lanes));
 }
 
 // How the samples pull at a place.
@@ -59,7 +76,7 @@ struct Pull {
         squared += offset[d] * offset[d];
       }
       const auto apart = squared > kCoincident2;
-      const Lanes weight = apart ? present / square_root(squared) : none;
+      const Lanes weight = apart ? present * inverse_root(squared) : none;
       weight_lanes += weight;
       cost_lanes += weight * squared;
       here_lanes += apart ? none : present;
@@ -132,10 +149,14 @@ int nearest_sample(const Samples<D>& samples, const Point<D>& place) {
 
 template <int D>
 Median<D> with_distances(const Samples<D>& samples, const Point<D>& place) {
+  constexpr float kTiny = 1e-30f;  // something under the root
   Lanes distances = {};
-  for (int g = 0; g < samples.groups(); ++g)
-    distances += load(samples.present() + g * kLanes) * square_root(squared_distances<D>(samples, g, place));
-  return {place, sum_of_lanes(distances) / static_cast<float>(samples.size()), nearest_sample(samples, place)};
+  for (int g = 0; g < samples.groups(); ++g) {
+    const Lanes squared = squared_distances<D>(samples, g, place);
+    distances += load(samples.present() + g * kLanes) * squared * inverse_root(squared + kTiny);
+  }
+  return {place, sum_of_lanes(distances) / static_cast<float>(samples.size()),
+          nearest_sample(samples, place)};
 }
 
 }  // namespace
@@ -163,7 +184,8 @@ Median<D> geometric_median(const Samples<D>& samples) {
   }
   if (n <= 2) return with_distances<D>(samples, place);
 
-  // A median that is a sample is neared slowly, or in circles: the sample nearest to the place is tried, once.
+  // A median that is a sample is neared slowly, or in circles: the sample nearest to the place is tried,
+  // once.
   int tried = -1;
   const auto nearest_holds = [&] {
     const int nearest = nearest_sample(samples, place);
