@@ -53,11 +53,11 @@ void flat_arc(benchmark::State& state) {
 BENCHMARK(flat_arc<PlanarArm>)->Name("flat_arc");
 BENCHMARK(flat_arc<NaiveArm>)->Name("flat_arc_naive");
 
-void whole_run(benchmark::State& state, const Evaluator& evaluator, int genes) {
-  constexpr std::int64_t kGenerations = 1000;
+template <class Parts>
+void whole_run(benchmark::State& state, const Evaluator& evaluator, int genes, std::int64_t generations) {
   Elites elites;
-  for (auto _ : state) elites = evolved<FastParts>(evaluator, genes, kArcArchive, kGenerations, Seed(12));
-  state.SetItemsProcessed(state.iterations() * kGenerations * kBatch);
+  for (auto _ : state) elites = evolved<Parts>(evaluator, genes, kArcArchive, generations, Seed(12));
+  state.SetItemsProcessed(state.iterations() * generations * kBatch);
   state.counters["elites"] = static_cast<double>(elites.size());
   state.counters["mean_fitness"] = elites.objective.mean();
 }
@@ -65,16 +65,42 @@ void whole_run(benchmark::State& state, const Evaluator& evaluator, int genes) {
 void layer3(benchmark::State& state) {
   const EvolvedLayers& layers = evolved_layers();
   const auto starts = static_cast<int>(state.range(0));
-  whole_run(state, ArcEvaluator(layers.points, layers.lines, kFrame, controller(), starts),
-            controller().genes);
+  whole_run<FastParts>(state, ArcEvaluator(layers.points, layers.lines, kFrame, controller(), starts),
+                       controller().genes, 1000);
 }
 BENCHMARK(layer3)->Arg(1)->Arg(10)->Arg(100)->Iterations(1)->Unit(benchmark::kMillisecond);
 
-void flat_arcs(benchmark::State& state) {
-  const FlatArcEvaluator evaluator(evolved_layers().arm, kFrame);
-  whole_run(state, evaluator, evaluator.genes());
+// A few generations only: the archive is still small, which favours who scans it.
+void layer3_naive(benchmark::State& state) {
+  const EvolvedLayers& layers = evolved_layers();
+  const NaiveHierarchy hierarchy(layers.point_elites, layers.line_elites, layers.arm, kFrame);
+  whole_run<NaiveParts>(state, NaiveArcEvaluator(hierarchy, controller(), static_cast<int>(state.range(0))),
+                        controller().genes, 5);
 }
-BENCHMARK(flat_arcs)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(layer3_naive)
+    ->Arg(1)
+    ->Arg(10)
+    ->Arg(100)
+    ->Iterations(1)
+    ->Repetitions(1)
+    ->Unit(benchmark::kMillisecond);
+
+template <class Parts, class Arm>
+void flat_arcs(benchmark::State& state) {
+  const Arm arm(kLinks, kJointLimit);
+  const FlatArcEvaluator evaluator(arm, kFrame);
+  whole_run<Parts>(state, evaluator, evaluator.genes(), state.range(0));
+}
+BENCHMARK(flat_arcs<FastParts, PlanarArm>)
+    ->Name("flat_arcs")
+    ->Arg(1000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(flat_arcs<NaiveParts, NaiveArm>)
+    ->Name("flat_arcs_naive")
+    ->Arg(100)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace hbr

@@ -40,23 +40,43 @@ void line_naive(benchmark::State& state) {
 }
 BENCHMARK(line_naive)->Arg(1)->Arg(10)->Arg(100);
 
-void whole_run(benchmark::State& state, const Evaluator& evaluator) {
-  constexpr std::int64_t kGenerations = 1000;
+template <class Parts>
+void whole_run(benchmark::State& state, const Evaluator& evaluator, std::int64_t generations) {
   Elites elites;
-  for (auto _ : state) elites = evolved<FastParts>(evaluator, 2, kLineArchive, kGenerations, Seed(9));
-  state.SetItemsProcessed(state.iterations() * kGenerations * kBatch);
+  for (auto _ : state) elites = evolved<Parts>(evaluator, 2, kLineArchive, generations, Seed(9));
+  state.SetItemsProcessed(state.iterations() * generations * kBatch);
   state.counters["elites"] = static_cast<double>(elites.size());
 }
 
 void layer2(benchmark::State& state) {
-  whole_run(state, LineEvaluator(evolved_layers().points, kFrame, static_cast<int>(state.range(0))));
+  whole_run<FastParts>(
+      state, LineEvaluator(evolved_layers().points, kFrame, static_cast<int>(state.range(0))), 1000);
 }
 BENCHMARK(layer2)->Arg(1)->Arg(10)->Arg(100)->Iterations(1)->Unit(benchmark::kMillisecond);
 
-void reference4d(benchmark::State& state) {
-  whole_run(state, LineFromStartEvaluator(evolved_layers().points, kFrame));
+// A few generations only: the archive is still small, which favours who scans it.
+void layer2_naive(benchmark::State& state) {
+  const EvolvedLayers& layers = evolved_layers();
+  const NaiveHierarchy hierarchy(layers.point_elites, layers.line_elites, layers.arm, kFrame);
+  whole_run<NaiveParts>(state, NaiveLineEvaluator(hierarchy, static_cast<int>(state.range(0))), 10);
 }
-BENCHMARK(reference4d)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(layer2_naive)->Arg(1)->Arg(10)->Arg(100)->Iterations(1)->Unit(benchmark::kMillisecond);
+
+template <class Parts>
+void reference4d(benchmark::State& state) {
+  whole_run<Parts>(state, LineFromStartEvaluator(evolved_layers().points, kFrame), state.range(0));
+}
+BENCHMARK(reference4d<FastParts>)
+    ->Name("reference4d")
+    ->Arg(1000)
+    ->Iterations(1)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(reference4d<NaiveParts>)
+    ->Name("reference4d_naive")
+    ->Arg(100)
+    ->Iterations(1)
+    ->Repetitions(1)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace hbr
