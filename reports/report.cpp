@@ -68,6 +68,7 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
   write_file(folder / "index.html", fill_template(kPageHtml, page));
   write_file(folder / "statistics.json", content.statistics.dump(1) + "\n");
   write_file(folder / "claims.json", content.claims.dump(1) + "\n");
+  if (!content.speed.is_null()) write_file(folder / "speed.json", content.speed.dump(1) + "\n");
   if (!content.variations.empty()) write_file(folder / "sensitivity.json", sensitivity.dump(1) + "\n");
 }
 

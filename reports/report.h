@@ -20,8 +20,8 @@ struct ReportContent {
   nlohmann::json speed = {};  // as condense_speed leaves it, or null where nobody measured
 };
 
-// Makes `folder` with index.html (self-contained), statistics.json, claims.json, sensitivity.json where there
-// are variations, and figures/ID.{svg,pdf,csv}.
+// Makes `folder` with index.html (self-contained), statistics.json, claims.json, speed.json where there are
+// benchmarks, sensitivity.json where there are variations, and figures/ID.{svg,pdf,csv}.
 // The same content gives the same bytes: no time, host or path is written.
 void write_report(const ReportContent& content, const std::filesystem::path& folder);
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "pipeline/artifact/profile.h"
+#include "pipeline/artifact/toolchain.h"
 #include "pipeline/core/check.h"
 #include "reports/format.h"
 #include "reports/html.h"
@@ -165,21 +166,20 @@ auto checked(Write&& write) {
 }
 
 std::string where(const json& speed) {
-  return fmt::format("{}, one thread; {}, {}", speed.at("machine").get<std::string>(),
-                     speed.at("compiler").get<std::string>(), speed.at("flags").get<std::string>());
+  return fmt::format("{}, one thread; {} for {}, {}", speed.at("machine").get<std::string>(),
+                     speed.at("compiler").get<std::string>(), speed.at("architecture").get<std::string>(),
+                     speed.at("flags").get<std::string>());
 }
 
 }  // namespace
 
 json condense_speed(const std::filesystem::path& rows, const std::vector<std::filesystem::path>& results,
-                    const std::string& flags, bool whole) {
+                    bool whole) {
   const auto wanted = read_profile<SpeedRows>(rows);
   const auto best = checked([&] { return fastest(results); });
-  json speed{{"machine", machine()},
-             {"compiler", "GCC " __VERSION__},
-             {"flags", flags},
-             {"peers_from", wanted.peers_from},
-             {"rows", json::array()}};
+  json speed{{"machine", machine()}, {"peers_from", wanted.peers_from}, {"rows", json::array()}};
+  const json tools = toolchain();
+  for (const char* word : {"compiler", "flags", "architecture"}) speed[word] = tools.at(word);
   for (const SpeedRow& row : wanted.rows) {
     const auto measured = best.find(row.benchmark), reference = best.find(row.reference);
     if (whole)

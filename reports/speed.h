@@ -12,16 +12,15 @@ namespace hbr {
 // `rows` is tests/benchmarks.toml, `results` what Google Benchmark wrote (--benchmark_out). Of repetitions
 // the fastest counts, which others on the machine disturbed least. Returns
 //
-//   machine, compiler, flags   where it was measured
-//   peers_from                 where the peers' rates come from
+//   machine, compiler, flags, architecture   where it was measured (pipeline/artifact/toolchain.h)
+//   peers_from                               where the peers' rates come from
 //   rows  [{what, item, rate, against, reference_rate, with: {counter: value},
 //           peers: [{name, rate}]}]   rates are items per CPU second of one thread
 //
 // A row without results is left out and a reference without results is null, unless the `whole` table is
 // asked for. Throws InputError where a file is not as described or something is missing from the whole.
 nlohmann::json condense_speed(const std::filesystem::path& rows,
-                              const std::vector<std::filesystem::path>& results, const std::string& flags,
-                              bool whole);
+                              const std::vector<std::filesystem::path>& results, bool whole);
 
 // As in a README. The same table as HTML, with a sentence on where it was measured; null says that there is
 // none. Both throw InputError where `speed` is not as above.

@@ -10,8 +10,7 @@
 int main(int argc, char** argv) try {
   if (argc < 4) throw hbr::InputError("speed_table: expected ROWS KEEP RESULT...");
   const std::string keep = argv[2];
-  const nlohmann::json speed =
-      hbr::condense_speed(argv[1], {argv + 3, argv + argc}, HBR_FLAGS, !keep.empty());
+  const nlohmann::json speed = hbr::condense_speed(argv[1], {argv + 3, argv + argc}, !keep.empty());
   if (!keep.empty()) hbr::write_file(keep, speed.dump(1) + "\n");
   fmt::print("{}", hbr::speed_markdown(speed));
   return 0;

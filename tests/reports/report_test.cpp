@@ -31,6 +31,10 @@ const nlohmann::json kClaims = nlohmann::json::parse(R"([
 const nlohmann::json kReadings = nlohmann::json::parse(R"([
   {"id": "disc", "title": "A disc", "paper": "nothing", "reading": "a disc", "alternatives": "a square", "effect": "e"}])");
 
+const nlohmann::json kSpeed = nlohmann::json::parse(
+    R"({"machine": "M", "compiler": "C", "flags": "-O3", "architecture": "A", "peers_from": "there",
+  "rows": [{"what": "looking up", "item": "look-ups", "rate": 2e6, "against": "a scan", "reference_rate": 1e3, "with": {}, "peers": []}]})");
+
 class ReportTest : public testing::Test {
  protected:
   ReportTest()
@@ -41,9 +45,13 @@ class ReportTest : public testing::Test {
 
   ReportContent full() {
     pictures_.everything(2);
-    return {"reduced", Artifacts(pictures_.artifacts()),
+    return {"reduced",
+            Artifacts(pictures_.artifacts()),
             nlohmann::json::parse(read(fs::path(HBR_SOURCE_DIR) / "tests/reports/fixtures/statistics.json")),
-            kClaims, kReadings};
+            kClaims,
+            kReadings,
+            {},
+            kSpeed};
   }
   std::map<std::string, std::string> files(const fs::path& report) {
     std::map<std::string, std::string> all;
@@ -67,6 +75,8 @@ TEST_F(ReportTest, GivesTheSameBytesTwice) {
     for (const char* kind : {".svg", ".pdf", ".csv"})
       EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
   EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kClaims);
+  EXPECT_EQ(nlohmann::json::parse(one.at("speed.json")), kSpeed);
+  EXPECT_THAT(one.at("index.html"), HasSubstr("<td>looking up</td><td>2 M look-ups</td>"));
   EXPECT_EQ(nlohmann::json::parse(one.at("statistics.json")), content.statistics);
   for (const auto& [name, bytes] : one) EXPECT_THAT(bytes, Not(HasSubstr(folder_.string()))) << name;
 }
@@ -100,7 +110,7 @@ TEST_F(ReportTest, SaysWhatIsMissing) {
        {"This run has no layer 1", "This run compared no searches.", "This run trained no autoencoder.",
         "This run has no digits", "No judge has looked", "This run did not exchange layer 1.",
         "no other robot", "no picture of NAO", "This run has no lines", "This run has no arcs",
-        "from fresh starts.", "This run drew no digits."})
+        "from fresh starts.", "This run drew no digits.", "No benchmarks are kept"})
     EXPECT_NE(page.find(sentence), std::string::npos) << sentence;
   EXPECT_TRUE(fs::is_empty(folder_ / "report/figures"));
 }
