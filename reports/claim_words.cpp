@@ -126,7 +126,9 @@ std::string check_sentence(const Check& check, const Measured& m) {
                      asked(check, m), in_words(m.outcome));
 }
 
-std::string check_figure(const Check& check, const Measured& m) { return in_unit(check, m, *m.x); }
+std::string check_figure(const Check& check, const Measured& m) {
+  return (check.kind == "a12" ? "A12 " : "") + in_unit(check, m, *m.x);
+}
 
 std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measured,
                           const std::vector<NeedFound>& needs) {

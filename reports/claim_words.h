@@ -35,7 +35,7 @@ struct NeedFound {
 
 // "reference against N = 10: 325 times; asked: at least 500; in part".
 std::string check_sentence(const Check& check, const Measured& measured);
-// "325 times": what was computed; only where it was.
+// "325 times", "A12 0.98": what was computed; only where it was.
 std::string check_figure(const Check& check, const Measured& measured);
 // The figures alone.
 std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measured,

@@ -74,15 +74,18 @@ TEST(Claims, EveryKindOfCheckByHand) {
   struct Case {
     std::string kind, to;
     double x;
+    std::string figure;  // spaces within a number's unit are narrow ones
   };
-  for (const Case& c : {Case{"value", "", 10.4}, Case{"ratio", "accuracy.n10", 10.4 / 4.4},
-                        Case{"difference", "accuracy.n10", 6}, Case{"a12", "accuracy.n10", 1}}) {
+  for (const Case& c :
+       {Case{"value", "", 10.4, "10.4\u202fm²"}, Case{"ratio", "accuracy.n10", 10.4 / 4.4, "2.36 times"},
+        Case{"difference", "accuracy.n10", 6, "6\u202fm²"}, Case{"a12", "accuracy.n10", 1, "A12 1"}}) {
     const auto verdict = [&](double low, double high, double partly_low, double partly_high) {
       const json claim = evaluate_one(
           claim_file(folder, check(c.kind, "accuracy.n1", c.to, fmt::format("[{}, {}]", low, high),
                                    fmt::format("[{}, {}]", partly_low, partly_high))),
           statistics);
       EXPECT_NEAR(claim["checks"][0]["x"].get<double>(), c.x, 1e-12);
+      EXPECT_EQ(claim["checks"][0]["figure"], c.figure);
       EXPECT_EQ(claim["verdict"], claim["indication"]);
       return claim["verdict"].get<std::string>();
     };
