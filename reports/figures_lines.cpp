@@ -37,7 +37,7 @@ Figure lines_figure(const Evidence& evidence) {
       "ranges; p: rank-sum tests between neighbours.";
   figure.panels = box_panel(
       evidence.statistics, accuracy,
-      {.title = "Accuracy", .unit = "m²", .figure = figure.id, .from_zero = true, .span = 3}, figure.table);
+      {.title = "Accuracy", .unit = "m²", .figure = figure.id, .logarithmic = true, .span = 3}, figure.table);
   append(
       figure.panels,
       box_panel(evidence.statistics,

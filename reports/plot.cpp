@@ -122,7 +122,8 @@ Drawing draw(const BoxPlot& plot, const std::string& prefix) {
   std::string script = plot_head(plot.width, axis.unit, 10, 44);
   const double n = static_cast<double>(plot.boxes.size());
   const auto bound = [&](double value) { return plot.logarithmic ? std::pow(10.0, value) : value; };
-  if (plot.logarithmic) script += "set logscale y\nset format y '%.0s%c'\n";
+  if (plot.logarithmic)
+    script += fmt::format("set logscale y\nset format y '{}'\n", high > 0 ? "%.0s%c" : "1e%T");
   script += fmt::format("set yrange [{}:{}]\nset xrange [0.4:{}]\nset boxwidth {}\n", bound(axis.low),
                         bound(axis.high), n + 0.6, 0.5);
   std::string ticks, plots;
