@@ -13,7 +13,8 @@
 namespace hbr {
 namespace {
 
-// Digits at their places in [-1, 1]^2; pictures overlap where the latent space is crowded.
+// Digits at their places in [-1, 1]^2, by the first two coordinates where there are more; pictures overlap
+// where the latent space is crowded.
 Panel mosaic(const std::string& title, const Drawings& digits, Table& table) {
   constexpr double kEdge = 22, kSide = 500;
   constexpr int kPixels = 900, kDigit = 40;

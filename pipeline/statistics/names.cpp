@@ -30,6 +30,7 @@ constexpr std::array kHeads = {
     Head{"flat_digits", "flat baseline (digits)", true, false},
     Head{"searches", "searches compared", false, false},
     Head{"autoencoder", "autoencoder", false, false},
+    Head{"descriptor", "descriptor", false, false},
     Head{"judge", "judge", false, false},
     Head{"dataset", "dataset", false, false},
     Head{"accuracy", "accuracy", false, false},
@@ -79,7 +80,9 @@ constexpr std::array kOfCells = {
 };
 
 constexpr std::array kOfDigits = {
-    Entry{"cells", "", "{}: share of the cells of side 0.1 of the latent square that hold an elite"},
+    Entry{"cells", "",
+          "{}: share of the cells of side 0.1 of the latent square (of its first two dimensions) that hold "
+          "an elite"},
     Entry{"classes", "classes", "{}: classes with at least three good images"},
     Entry{"good", "", "{}: share of images that the judge calls good"},
     Entry{"good_01", "", "{}: share of good images among those the judge takes for 0 or 1"},
@@ -115,6 +118,8 @@ constexpr std::array kSingle = {
     Entry{"autoencoder.kept", "", "autoencoder: share of the training images kept by the cut"},
     Entry{"autoencoder.reach", "", "autoencoder: greatest absolute latent coordinate of the test images"},
     Entry{"autoencoder.epochs", "epochs", "autoencoder: epochs of training"},
+    Entry{"descriptor.test_error", "",
+          "descriptor in place of the autoencoder: mean squared error per pixel on the test images"},
     Entry{"judge.test_accuracy", "", "judge: accuracy on the test images"},
     Entry{"judge.test_typical", "", "judge: share of the test images it calls typical"},
     Entry{"judge.random_typical", "", "judge: share of random strokes it calls typical"},

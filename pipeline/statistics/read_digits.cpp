@@ -14,13 +14,14 @@ namespace hbr {
 namespace {
 
 constexpr double kCell = 0.1;  // side of a cell of the latent square [-1, 1]^2
+constexpr int kCells = 20;     // a side
 constexpr std::size_t kClasses = 10;
 constexpr int kGoodNeeded = 3;  // good images for a class to count as present: one may be luck
 
 struct Digits {
-  std::size_t n = 0, pixels = 0;
+  std::size_t n = 0, dim = 0, pixels = 0;
   std::vector<std::uint8_t> image;  // [n x pixels]
-  std::vector<float> measures;      // [n x 2]
+  std::vector<float> measures;      // [n x dim]
   std::vector<float> confidence, distance;
   std::vector<std::uint8_t> label, good;
 };
@@ -30,13 +31,15 @@ Digits read_group(const Hdf5Reader& file, const std::string& group) {
   Digits d;
   d.n = image.shape.empty() ? 0 : image.shape[0];
   d.image = image.values;
-  d.measures = file.read<float>(group + "/measures").values;
+  const Array<float> measures = file.read<float>(group + "/measures");
+  d.measures = measures.values;
+  d.dim = measures.shape.size() == 2 ? measures.shape[1] : 0;
   d.confidence = file.read<float>(group + "/confidence").values;
   d.distance = file.read<float>(group + "/distance").values;
   d.label = file.read<std::uint8_t>(group + "/label").values;
   d.good = file.read<std::uint8_t>(group + "/good").values;
-  if (d.n == 0 || d.measures.size() != 2 * d.n || d.confidence.size() != d.n || d.distance.size() != d.n ||
-      d.label.size() != d.n || d.good.size() != d.n)
+  if (d.n == 0 || d.dim == 0 || d.measures.size() != d.dim * d.n || d.confidence.size() != d.n ||
+      d.distance.size() != d.n || d.label.size() != d.n || d.good.size() != d.n)
     throw InputError("{}: the arrays of {}/ differ in length or are empty", file.path().string(), group);
   if (std::ranges::any_of(d.label, [](std::uint8_t c) { return c >= kClasses; }))
     throw InputError("{}: {}/label has a class above 9", file.path().string(), group);
@@ -44,25 +47,30 @@ Digits read_group(const Hdf5Reader& file, const std::string& group) {
   return d;
 }
 
-// Share of the cells of the latent square that hold an elite.
+// Share of the cells of the latent square that hold an elite; of a latent space of more dimensions the square
+// of its first two.
 double cells(const Digits& d) {
-  const int side = static_cast<int>(std::lround(2 / kCell));
   const auto cell = [&](float z) {
-    return std::clamp(static_cast<int>(std::floor((static_cast<double>(z) + 1) / kCell)), 0, side - 1);
+    return std::clamp(static_cast<int>(std::floor((static_cast<double>(z) + 1) / kCell)), 0, kCells - 1);
   };
   std::set<int> held;
-  for (std::size_t i = 0; i < d.n; ++i)
-    held.insert(cell(d.measures[2 * i]) * side + cell(d.measures[2 * i + 1]));
-  return static_cast<double>(held.size()) / (side * side);
+  for (std::size_t i = 0; i < d.n; ++i) {
+    const float* z = &d.measures[d.dim * i];
+    held.insert(d.dim == 1 ? cell(z[0]) : cell(z[0]) * kCells + cell(z[1]));
+  }
+  return static_cast<double>(held.size()) / (d.dim == 1 ? kCells : kCells * kCells);
 }
 
 std::size_t latent_neighbour(const Digits& d, std::size_t of) {
   std::size_t nearest = of;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < d.n; ++i) {
-    const double dx = d.measures[2 * i] - d.measures[2 * of];
-    const double dy = d.measures[2 * i + 1] - d.measures[2 * of + 1];
-    if (i != of && dx * dx + dy * dy < least) least = dx * dx + dy * dy, nearest = i;
+    double square = 0;
+    for (std::size_t k = 0; k < d.dim; ++k) {
+      const double gap = d.measures[d.dim * i + k] - d.measures[d.dim * of + k];
+      square += gap * gap;
+    }
+    if (i != of && square < least) least = square, nearest = i;
   }
   return nearest;
 }
