@@ -37,15 +37,16 @@ std::vector<Panel> learning_panel(const StatisticsView& statistics, Table& table
 Panel latent_panel(const Hdf5Reader& file, Table& table) {
   constexpr int kPixels = 800;
   constexpr double kSide = kPlotHeight;
-  const auto position = file.read<float>("latent/position").values;
+  const auto latent = file.read<float>("latent/position");
   const auto label = file.read<std::uint8_t>("latent/label").values;
-  if (position.size() != 2 * label.size() || label.empty())
-    throw InputError("{}: latent/position does not hold two numbers per label", file.path().string());
+  if (latent.shape.size() != 2 || latent.values.empty() || latent.shape[0] != label.size())
+    throw InputError("{}: latent/position does not hold a position per label", file.path().string());
+  const std::size_t dim = latent.shape[1];
   cv::Mat dots(kPixels, kPixels, CV_8UC4, cv::Scalar(0, 0, 0, 0));
   std::array<std::vector<double>, 10> xs, ys;
   for (std::size_t i = 0; i < label.size(); ++i) {
     const std::size_t digit = std::min<std::size_t>(label[i], 9);
-    const double x = position[2 * i], y = position[2 * i + 1];
+    const double x = latent.values[dim * i], y = dim > 1 ? latent.values[dim * i + 1] : 0;
     xs[digit].push_back(x);
     ys[digit].push_back(y);
     const std::uint32_t c = kClassColours[digit];
@@ -69,7 +70,9 @@ Panel latent_panel(const Hdf5Reader& file, Table& table) {
         "fill=\"#111111\">{3}</text>\n",
         left + (x + 1) / 2 * kSide, (1 - y) / 2 * kSide, (1 - y) / 2 * kSide + 4.7, digit);
   }
-  return {"Test images in the latent space", {width, kSide, body}, 2};
+  return {dim > 2 ? "Test images in the first two latent dimensions" : "Test images in the latent space",
+          {width, kSide, body},
+          2};
 }
 
 std::vector<Panel> kept_panel(const StatisticsView& statistics, Table& table) {
@@ -120,7 +123,14 @@ Figure autoencoder_figure(const Evidence& evidence) {
       "training set keeps; test images of the first replication at their latent places, the digit standing "
       "at the "
       "median of its class; twenty of them, written and decoded.";
-  const auto files = evidence.artifacts.replications("autoencoder");
+  auto files = evidence.artifacts.replications("autoencoder");
+  if (const std::string other = "descriptor.h5"; files.empty() && evidence.artifacts.has(other)) {
+    files.push_back(evidence.artifacts.path(other));
+    figure.title = "The descriptor in place of the paper’s autoencoder.";
+    figure.caption =
+        "Test images at their places, the digit standing at the median of its class; twenty of them, "
+        "written and decoded.";
+  }
   if (files.empty()) {
     figure.absent = "This run trained no autoencoder.";
     return figure;

@@ -99,6 +99,8 @@ class Experiment {
           fmt::format("replications.digits = {}: expected at most replications.lines ({}), whose layers the "
                       "digits are built on",
                       p_.replications.digits, p_.replications.lines));
+    if (p_.descriptor.kind == "onnx" && p_.descriptor.file.empty())
+      fail("descriptor: kind = 'onnx' with file = ''; expected the path of an ONNX network");
     if (p_.layer4.pencil.thinnest_px > p_.layer4.pencil.thickest_px)
       fail(fmt::format("layer4.pencil: thinnest_px = {} exceeds thickest_px = {}",
                        p_.layer4.pencil.thinnest_px, p_.layer4.pencil.thickest_px));
@@ -156,7 +158,15 @@ class Experiment {
          {"judge", settings_to_json(p_.judge)},
          {"random_strokes", settings_to_json(p_.random_strokes)}},
         {{"dataset", "dataset.h5"}});
+    if (own_networks()) return;
+    DescriptorSlice slice{p_.descriptor, p_.autoencoder.latent_size};
+    std::vector<std::string> sources;
+    if (slice.kind == "onnx") sources.push_back(slice.file);
+    add("descriptor", "descriptor", -1, settings_to_json(slice), {{"dataset", "dataset.h5"}}, sources);
   }
+
+  // Each replication trains its own autoencoder; other descriptors are the same for all.
+  bool own_networks() const { return p_.descriptor.kind == "autoencoder"; }
 
   void points(int r) {
     const json s = with(arm(r), {{"search", search(p_.layer1, p_.layer1)}});
@@ -246,11 +256,21 @@ class Experiment {
   }
 
   void digits(int r) {
-    add("autoencoder", "autoencoder", r, with(run(r), settings_to_json(p_.autoencoder)),
-        {{"dataset", "dataset.h5"}});
-    const std::pair<std::string, std::string> autoencoder{"autoencoder", numbered("autoencoder", r)};
+    std::pair<std::string, std::string> descriptor{"descriptor", "descriptor.h5"};
+    if (own_networks()) {
+      descriptor.second = numbered("autoencoder", r);
+      add("autoencoder", "autoencoder", r, with(run(r), settings_to_json(p_.autoencoder)),
+          {{"dataset", "dataset.h5"}});
+      graph_.push_back({"onnx",
+                        "onnx",
+                        r,
+                        fmt::format("onnx/{:02}", r),
+                        json::object(),
+                        {{"autoencoder", descriptor.second}},
+                        {}});
+    }
     Inputs below = hierarchy(r);
-    below.push_back(autoencoder);
+    below.push_back(descriptor);
     add("layer4", "layer4", r,
         with(digits_slice(r), {{"length_rate", p_.layer4.length_rate},
                                {"search", search(p_.layer4.search, p_.layer4.search)}}),
@@ -259,7 +279,7 @@ class Experiment {
         with(arm(r), {{"pencil", settings_to_json(p_.layer4.pencil)},
                       {"length_rate", p_.layer4.length_rate},
                       {"search", search(p_.layer4.search, p_.flat_digits)}}),
-        {autoencoder});
+        {descriptor});
     add("digits", "digits", r, json::object(),
         {{"dataset", "dataset.h5"},
          {"judge", "judge.h5"},

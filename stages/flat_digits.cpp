@@ -1,5 +1,5 @@
-// The flat baseline of section 5.1: digits by configurations of all joints, judged by the same autoencoder.
-#include "models/autoencoder/file.h"
+// The flat baseline of section 5.1: digits by configurations of all joints, judged by the same descriptor.
+#include "stages/descriptors.h"
 #include "stages/digit_images.h"
 #include "stages/evolve.h"
 
@@ -8,15 +8,15 @@ namespace {
 void run(hbr::StageRun& stage) {
   const auto s = stage.settings_as<hbr::FlatDigitsEvolution>();
   const hbr::PlanarArm arm = hbr::make_arm(s.arm);
-  const hbr::Autoencoder autoencoder = hbr::load_autoencoder(stage.input("autoencoder"));
+  const auto descriptor = hbr::load_descriptor(stage.input("descriptor"));
   const hbr::FlatDigits flat(arm, hbr::Frame{s.half_side, 0}, hbr::make_pencil(s.pencil));
-  const hbr::FlatDigitEvaluator digits(flat, autoencoder);
+  const hbr::FlatDigitEvaluator digits(flat, *descriptor);
 
   const hbr::BlockMutation variation(
       hbr::FlatDigits::kHead, flat.block(), hbr::kMostArcs, static_cast<float>(s.search.mutation_eta),
       static_cast<float>(s.search.mutation_rate), static_cast<float>(s.length_rate));
   evolve(stage, s.search, variation, digits, hbr::Seed(s.seed).child(stage.stage()).child(s.replication),
-         {autoencoder.lower().minCoeff(), autoencoder.upper().maxCoeff()},
+         {descriptor->lower().minCoeff(), descriptor->upper().maxCoeff()},
          [&](hbr::Hdf5Writer& file, const hbr::Elites& elites) {
            hbr::write_images(file, elites, [&](const float* genome, int length, float* image) {
              flat.draw_digit(genome, length, image);

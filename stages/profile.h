@@ -9,6 +9,7 @@
 #include "models/autoencoder/trainer.h"
 #include "models/simbody/robot_settings.h"
 #include "stages/data_settings.h"
+#include "stages/descriptor_settings.h"
 #include "stages/settings.h"
 
 namespace hbr {
@@ -174,6 +175,7 @@ struct Profile {
   std::uint64_t seed = 0;
   Replications replications;
   DatasetSettings dataset;
+  DescriptorTable descriptor;
   AutoencoderSettings autoencoder;
   JudgeSettings judge;
   StrokesTable random_strokes;
@@ -201,6 +203,7 @@ void describe(Fields& f, Profile& s) {
   f.number("seed", s.seed, Range{0, 9007199254740991.0}, "master seed");
   f.table("replications", s.replications, "how often everything is repeated");
   f.table("dataset", s.dataset, "images that the digits shall resemble");
+  f.table("descriptor", s.descriptor, "what places the digits and judges them in the search");
   f.table("autoencoder", s.autoencoder, "the network and its training");
   f.table("judge", s.judge, "the classifier that the search never sees");
   f.table("random_strokes", s.random_strokes, "its control");

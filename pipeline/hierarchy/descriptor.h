@@ -1,6 +1,6 @@
 // A learned descriptor: maps an image to a place in a low-dimensional space and tells how well it knows such
-// images. The autoencoder is one; a projection on principal components or an imported network would be
-// others.
+// images. The autoencoder is one; principal components of images (models/descriptor) and imported networks
+// (models/onnx) are others.
 #pragma once
 
 #include <Eigen/Core>

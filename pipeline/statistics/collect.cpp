@@ -61,6 +61,7 @@ nlohmann::json collect_statistics(const std::string& profile,
   read_searches(artifacts, table);
   read_comparison(artifacts["searches"], table);
   read_autoencoders(artifacts["autoencoder"], table);
+  read_descriptor(artifacts["descriptor"], table);
   read_judge(artifacts["judge"], table);
   read_accuracy(artifacts["accuracy"], table);
   read_arc_quality(artifacts["arc_quality"], table);

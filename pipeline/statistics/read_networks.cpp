@@ -64,6 +64,11 @@ void read_autoencoders(const std::vector<Artifact>& artifacts, StatisticsTable& 
   add_curve(table, "autoencoder", "epoch", "test_error", test_error);
 }
 
+void read_descriptor(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  for (const Artifact& artifact : artifacts)
+    table.number("descriptor.test_error", Hdf5Reader(artifact.path).number_attribute("test_error"));
+}
+
 void read_judge(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
   for (const Artifact& artifact : artifacts)
     for (const char* figure : {"test_accuracy", "test_typical", "random_typical"})

@@ -21,6 +21,7 @@ using Artifacts = std::map<std::string, std::vector<Artifact>>;
 void read_searches(const Artifacts& artifacts, StatisticsTable& table);
 void read_comparison(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_autoencoders(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_descriptor(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_judge(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_accuracy(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_arc_quality(const std::vector<Artifact>& artifacts, StatisticsTable& table);
