@@ -247,6 +247,7 @@ class Experiment {
   json digits_slice(int r) const {
     return with(lines_slice(r), {{"controller", named(p_.layer3.variants, p_.layer4.arcs, "", "").controller},
                                  {"line_spacing", p_.layer4.line_spacing},
+                                 {"out_of_range", p_.layer4.out_of_range},
                                  {"pencil", settings_to_json(p_.layer4.pencil)}});
   }
   Inputs hierarchy(int r) const {
@@ -276,7 +277,9 @@ class Experiment {
                                {"search", search(p_.layer4.search, p_.layer4.search)}}),
         below);
     add("flat_digits", "flat_digits", r,
-        with(arm(r), {{"pencil", settings_to_json(p_.layer4.pencil)},
+        with(arm(r), {{"pen", p_.flat_digits.pen},
+                      {"start", p_.flat_digits.start},
+                      {"pencil", settings_to_json(p_.layer4.pencil)},
                       {"length_rate", p_.layer4.length_rate},
                       {"search", search(p_.layer4.search, p_.flat_digits)}}),
         {descriptor});

@@ -9,7 +9,8 @@ void run(hbr::StageRun& stage) {
   const auto s = stage.settings_as<hbr::FlatDigitsEvolution>();
   const hbr::PlanarArm arm = hbr::make_arm(s.arm);
   const auto descriptor = hbr::load_descriptor(stage.input("descriptor"));
-  const hbr::FlatDigits flat(arm, hbr::Frame{s.half_side, 0}, hbr::make_pencil(s.pencil));
+  const hbr::FlatDigits flat(arm, hbr::Frame{s.half_side, 0}, hbr::make_pencil(s.pencil),
+                             hbr::flat_digit_reading(s.pen, s.start));
   const hbr::FlatDigitEvaluator digits(flat, *descriptor);
 
   const hbr::BlockMutation variation(
@@ -19,7 +20,7 @@ void run(hbr::StageRun& stage) {
          {descriptor->lower().minCoeff(), descriptor->upper().maxCoeff()},
          [&](hbr::Hdf5Writer& file, const hbr::Elites& elites) {
            hbr::write_images(file, elites, [&](const float* genome, int length, float* image) {
-             flat.draw_digit(genome, length, image);
+             flat.draw_digits(1, genome, 0, &length, image);
            });
          });
 }

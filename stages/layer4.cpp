@@ -12,7 +12,8 @@ void run(hbr::StageRun& stage) {
   const hbr::PointLayer points = hbr::read_points(stage, "layer1", arm, frame);
   const hbr::LineLayer lines = hbr::read_lines(stage, "layer2", frame);
   const hbr::ArcLayer arcs = hbr::read_arcs(stage, "layer3", frame, s.controller);
-  const hbr::Hierarchy hierarchy(points, lines, arcs, frame, s.line_spacing);
+  const hbr::Hierarchy hierarchy(points, lines, arcs, frame, s.line_spacing,
+                                 hbr::out_of_range(s.out_of_range));
   const auto descriptor = hbr::load_descriptor(stage.input("descriptor"));
   const hbr::Pencil pencil = hbr::make_pencil(s.pencil);
   const hbr::DigitEvaluator digits(hierarchy, pencil, *descriptor);

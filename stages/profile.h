@@ -103,6 +103,7 @@ struct Layer4Table {
   SearchTable search;
   std::string arcs;
   double line_spacing = 0;
+  std::string out_of_range;
   double length_rate = 0;
   PencilTable pencil;
 };
@@ -113,9 +114,20 @@ void describe(Fields& f, Layer4Table& s) {
   f.text("arcs", s.arcs, "the layer-3 variant below");
   f.number("line_spacing", s.line_spacing, Range{0, 10},
            "distance between the points of a line at which layer 1 is asked, m; 0: at its end alone");
+  describe_out_of_range(f, s.out_of_range);
   f.number("length_rate", s.length_rate, Range{0, 1},
            "probability that a block of genes is added or removed");
   f.table("pencil", s.pencil, "from trace to image");
+}
+
+struct FlatDigitsTable : SearchTable {
+  std::string pen;
+  std::string start;
+};
+template <class Fields>
+void describe(Fields& f, FlatDigitsTable& s) {
+  describe_generations(f, s);
+  describe_flat_pen(f, s.pen, s.start);
 }
 
 struct ExperimentsTable {
@@ -191,7 +203,7 @@ struct Profile {
   Layer3Table layer3;
   FlatArcsTable flat_arcs;
   Layer4Table layer4;
-  GenerationsTable flat_digits;
+  FlatDigitsTable flat_digits;
   ExperimentsTable experiments;
   LayerTable robot_layer1;
   std::vector<RobotSettings> robots;

@@ -41,8 +41,10 @@ void run(hbr::StageRun& stage) {
   const hbr::PointLayer robot_points = hbr::read_points(stage, "robot_layer1", robot, frame);
   const hbr::LineLayer lines = hbr::read_lines(stage, "layer2", frame);
   const hbr::ArcLayer arcs = hbr::read_arcs(stage, "layer3", frame, s.controller);
-  const hbr::Hierarchy by_arm(arm_points, lines, arcs, frame, s.line_spacing);
-  const hbr::Hierarchy by_robot(robot_points, lines, arcs, frame, s.line_spacing);
+  const hbr::Hierarchy by_arm(arm_points, lines, arcs, frame, s.line_spacing,
+                              hbr::out_of_range(s.out_of_range));
+  const hbr::Hierarchy by_robot(robot_points, lines, arcs, frame, s.line_spacing,
+                                hbr::out_of_range(s.out_of_range));
   const hbr::Pencil pencil = hbr::make_pencil(s.pencil);
   const hbr::Elites digits = hbr::read_elites(stage.input("layer4"));
 

@@ -203,14 +203,23 @@ void describe(Fields& f, PencilTable& s) {
 struct DigitsSlice : LinesSlice {
   std::string controller;
   double line_spacing = 0;
+  std::string out_of_range;
   PencilTable pencil;
 };
+template <class Fields>
+void describe_out_of_range(Fields& f, std::string& out_of_range) {
+  f.choice(
+      "out_of_range", out_of_range, {"radius", "axes", "reject"},
+      "of a triplet whose centre is farther than L: brought back along its direction, its coordinates one "
+      "by one, or no digit");
+}
 template <class Fields>
 void describe_digits(Fields& f, DigitsSlice& s) {
   describe_lines(f, s);
   f.choice("controller", s.controller, {"lines", "turn"}, "of the layer-3 repertoire in use");
   f.number("line_spacing", s.line_spacing, Range{0, 10},
            "distance between the points of a line at which layer 1 is asked, m; 0: at its end alone");
+  describe_out_of_range(f, s.out_of_range);
   f.table("pencil", s.pencil, "from trace to image");
 }
 
@@ -226,13 +235,23 @@ void describe(Fields& f, DigitsEvolution& s) {
 }
 
 struct FlatDigitsEvolution : ArmSlice {
+  std::string pen;
+  std::string start;
   PencilTable pencil;
   double length_rate = 0;
   SearchTable search;
 };
 template <class Fields>
+void describe_flat_pen(Fields& f, std::string& pen, std::string& start) {
+  f.choice("pen", pen, {"straight", "joints"},
+           "between configurations: straight from tip to tip, or all joints turning evenly");
+  f.choice("start", start, {"first", "straight_arm"},
+           "of the pen: the first configuration, or the straight arm");
+}
+template <class Fields>
 void describe(Fields& f, FlatDigitsEvolution& s) {
   describe_arm(f, s);
+  describe_flat_pen(f, s.pen, s.start);
   f.table("pencil", s.pencil, "from trace to image");
   f.number("length_rate", s.length_rate, Range{0, 1}, "probability that a set is added or removed");
   f.table("search", s.search, "the search");

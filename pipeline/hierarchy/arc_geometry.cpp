@@ -134,10 +134,21 @@ void arc_descriptors(const Frame& frame, ArcCentre centre, const ArcTracks& trac
     fill(ArcCentre::kCentroid);
 }
 
-Eigen::Vector3d decode_arc(const Frame& frame, const float* genes) {
-  const Eigen::Vector2d centre =
-      frame.point_descriptor(at_most(frame.point(Eigen::Vector2d(genes[0], genes[1])), frame.half_side));
-  return {centre.x(), centre.y(), genes[2]};
+OutOfRange out_of_range(const std::string& name) {
+  if (name == "radius") return OutOfRange::kRadius;
+  if (name == "axes") return OutOfRange::kAxes;
+  if (name == "reject") return OutOfRange::kReject;
+  throw InputError("out_of_range '{}': expected radius, axes or reject", name);
+}
+
+std::optional<Eigen::Vector3d> decode_arc(const Frame& frame, OutOfRange out_of_range, const float* genes) {
+  const double most = frame.half_side;
+  Eigen::Vector2d centre = frame.point(Eigen::Vector2d(genes[0], genes[1]));
+  if (out_of_range == OutOfRange::kReject && centre.norm() > most) return std::nullopt;
+  centre = out_of_range == OutOfRange::kAxes ? centre.cwiseMax(-most).cwiseMin(most).eval()
+                                             : at_most(centre, most);
+  centre = frame.point_descriptor(centre);
+  return Eigen::Vector3d(centre.x(), centre.y(), genes[2]);
 }
 
 }  // namespace hbr

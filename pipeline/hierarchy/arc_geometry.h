@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "pipeline/hierarchy/frame.h"
@@ -47,7 +49,14 @@ struct ArcTracks {
 void arc_descriptors(const Frame& frame, ArcCentre centre, const ArcTracks& tracks, int first,
                      Samples<3>& descriptors);
 
-// The place of layer 3's descriptor that three genes in [0, 1] mean, the centre brought back likewise.
-Eigen::Vector3d decode_arc(const Frame& frame, const float* genes);
+// What becomes of a wanted centre farther than L, where no arc of layer 3 has its own: brought back along its
+// direction likewise, each of its coordinates brought into [-L, L] (genes in [0, 1] never leave it, so the
+// look-up finds the stored arc nearest to a corner of the square), or nothing that can be drawn.
+enum class OutOfRange { kRadius, kAxes, kReject };
+// "radius", "axes" or "reject".
+OutOfRange out_of_range(const std::string& name);
+
+// The place of layer 3's descriptor that three genes in [0, 1] mean; none where it is rejected.
+std::optional<Eigen::Vector3d> decode_arc(const Frame& frame, OutOfRange out_of_range, const float* genes);
 
 }  // namespace hbr

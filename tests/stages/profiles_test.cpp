@@ -3,6 +3,8 @@
 
 #include <fstream>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "pipeline/artifact/freshness.h"
 #include "pipeline/artifact/profile.h"
@@ -53,6 +55,39 @@ TEST(Profiles, LinesNeedNoDataset) {
   EXPECT_TRUE(by_output(lines).contains("flat_arcs/49.h5"));
 }
 
+// A variation of a reading reaches the stages that draw by it, and no layer below.
+TEST(Profiles, ReadingsOfTheDigits) {
+  const Graph graph = experiment_graph(kProfiles / "digits_readings.toml");
+  const auto nodes = by_output(graph);
+  const std::map<std::string, std::set<std::string>> touched{{"workspace", {"layer4", "flat_digits"}},
+                                                             {"joints", {"flat_digits"}},
+                                                             {"straight_arm", {"flat_digits"}},
+                                                             {"axes", {"layer4"}},
+                                                             {"reject", {"layer4"}}};
+  std::map<std::string, std::set<std::string>> run;
+  for (const Node& node : graph)
+    if (!node.variation.empty() && node.stage != "statistics" && node.stage != "digits")
+      run[node.variation].insert(node.stage);
+  EXPECT_EQ(run, touched);
+  for (const auto& [output, pen, start] :
+       {std::tuple("flat_digits/02.h5", "straight", "first"),
+        std::tuple("joints/flat_digits/02.h5", "joints", "first"),
+        std::tuple("straight_arm/flat_digits/02.h5", "straight", "straight_arm")}) {
+    EXPECT_EQ(nodes.at(output).settings["pen"], pen);
+    EXPECT_EQ(nodes.at(output).settings["start"], start);
+  }
+  EXPECT_EQ(nodes.at("layer4/00.h5").settings["out_of_range"], "radius");
+  EXPECT_EQ(nodes.at("axes/layer4/00.h5").settings["out_of_range"], "axes");
+  EXPECT_EQ(nodes.at("reject/layer4/00.h5").settings["out_of_range"], "reject");
+  EXPECT_EQ(nodes.at("workspace/layer4/00.h5").settings["pencil"]["framing"], "workspace");
+}
+
+// Transfer draws by the same readings as layer 4.
+TEST(Profiles, TransferReadsTripletsAsLayer4) {
+  const auto nodes = by_output(experiment_graph(kProfiles / "paper.toml"));
+  EXPECT_EQ(nodes.at("nao_transfer/00.h5").settings["out_of_range"], "radius");
+}
+
 // "layer2.variants", "layer4.pencil.framing": what selects a reading is a key of the profile.
 TEST(Profiles, EveryOptionOfTheLedgerIsAKey) {
   const json keys =
@@ -60,8 +95,9 @@ TEST(Profiles, EveryOptionOfTheLedgerIsAKey) {
   const json readings = read_toml(fs::path(HBR_SOURCE_DIR) / "reports/readings.toml").values["readings"];
   int options = 0;
   for (const json& reading : readings) {
-    std::string pointer = "/" + reading["option"].get<std::string>();
-    if (pointer == "/") continue;
+    const auto option = reading["option"].get<std::string>();
+    if (option.empty()) continue;
+    std::string pointer = fmt::format("/{}", option);
     std::replace(pointer.begin(), pointer.end(), '.', '/');
     EXPECT_TRUE(keys.contains(json::json_pointer(pointer))) << reading["id"] << ": " << reading["option"];
     ++options;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
 
 namespace hbr {
@@ -80,11 +81,22 @@ TEST(ArcDescriptor, BringsFarCentresBackAlongTheirDirection) {
   EXPECT_LT((centre - kFrame.half_side * Eigen::Vector2d(0.6, -0.8)).norm(), 1e-12);
   EXPECT_NEAR(d.z(), 0.5 / 1.28, 1e-12);
   EXPECT_EQ(arc_descriptor(kFrame, {{0, 0}, 99}), Eigen::Vector3d(0.5, 0.5, 1));
-  const float genes[3] = {1, 1, 0.25f};
-  EXPECT_LT((kFrame.point(decode_arc(kFrame, genes).head<2>()) -
-             kFrame.half_side * Eigen::Vector2d(1, 1).normalized())
-                .norm(),
-            1e-12);
+}
+
+TEST(DecodeArc, CentresBeyondTheirRange) {
+  const float corner[3] = {1, 0, 0.25f}, inside[3] = {0.75f, 0.5f, 1};
+  const auto centre = [](OutOfRange range, const float* genes) {
+    return kFrame.point(decode_arc(kFrame, range, genes).value().head<2>());
+  };
+  const Eigen::Vector2d direction(1, -1);
+  EXPECT_LT((centre(OutOfRange::kRadius, corner) - kFrame.half_side * direction.normalized()).norm(), 1e-12);
+  EXPECT_LT((centre(OutOfRange::kAxes, corner) - kFrame.half_side * direction).norm(), 1e-12);
+  EXPECT_FALSE(decode_arc(kFrame, OutOfRange::kReject, corner));
+  for (const char* name : {"radius", "axes", "reject"}) {
+    EXPECT_LT((centre(out_of_range(name), inside) - Eigen::Vector2d(kFrame.half_side / 2, 0)).norm(), 1e-12);
+    EXPECT_EQ(decode_arc(kFrame, out_of_range(name), inside)->z(), 1);
+  }
+  EXPECT_THROW(out_of_range("clamp"), InputError);
 }
 
 TEST(ArcShape, ACentroidIsTheMeanOfThePoints) {
