@@ -105,20 +105,21 @@ TEST(Search, ACopyOfADeterministicSolutionNeedsNoEvaluation) {
       SearchState state[2];
       for (const bool says_so : {false, true}) {
         const CountingToy toy(says_so, evaluated[says_so]);
-        const PolynomialMutation variation{3, 10, 0.3f};
+        // So many children of so few parents that copies meet siblings in their parent's place.
+        const PolynomialMutation variation{3, 10, 0.2f};
         const auto repertoire = container.make(3, 2);
         CuriositySelector selector;
-        Search search(*repertoire, selector, variation, toy, {60, 50, 7, credit}, Seed(19));
+        Search search(*repertoire, selector, variation, toy, {30, 1000, 7, credit}, Seed(19));
         Workers workers(2);
         while (!search.done()) search.step(workers);
         state[says_so] = search.state();
       }
       expect_same(state[0], state[1]);
       EXPECT_EQ(state[0].elites.uncertainty, state[1].elites.uncertainty);
-      EXPECT_EQ(evaluated[0], 60 * 50);
-      // A third of the children mutate in no gene, and some genes at a border stay there.
-      EXPECT_LT(evaluated[1], 50 + 59 * 50 * (1 - 0.7 * 0.7 * 0.7) + 100);
-      EXPECT_GT(evaluated[1], 0.4 * 60 * 50);
+      EXPECT_EQ(evaluated[0], 30 * 1000);
+      // Half of the children mutate in no gene, and some genes at a border stay there.
+      EXPECT_LT(evaluated[1], 1000 + 29 * 1000 * (1 - 0.8 * 0.8 * 0.8) + 500);
+      EXPECT_GT(evaluated[1], 0.3 * 30 * 1000);
     }
 }
 
