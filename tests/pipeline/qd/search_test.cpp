@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <set>
 
 #include "tests/pipeline/qd/containers.h"
+#include "tests/pipeline/qd/search_states.h"
 
 namespace hbr {
 namespace {
@@ -45,20 +45,6 @@ struct ToySearch {
   }
 };
 
-void expect_same(const SearchState& a, const SearchState& b) {
-  EXPECT_EQ(a.elites.id, b.elites.id);
-  EXPECT_EQ(a.elites.parent, b.elites.parent);
-  EXPECT_EQ(a.elites.solution, b.elites.solution);
-  EXPECT_EQ(a.elites.measures, b.elites.measures);
-  EXPECT_EQ(a.elites.objective, b.elites.objective);
-  EXPECT_EQ(a.selector, b.selector);
-  ASSERT_EQ(a.progress.size(), b.progress.size());
-  for (std::size_t i = 0; i < a.progress.size(); ++i) {
-    EXPECT_EQ(a.progress[i].generation, b.progress[i].generation);
-    EXPECT_EQ(a.progress[i].mean, b.progress[i].mean);
-  }
-}
-
 TEST(Search, FillsTheSpaceAndImproves) {
   ToySearch run;
   run.to(60, 1);
@@ -78,49 +64,6 @@ TEST(Search, FillsTheSpaceAndImproves) {
     EXPECT_EQ(elites.uncertainty[i], 2 * elites.solution(i, 1));
     EXPECT_EQ(elites.parent[i] == -1, elites.id[i] < 50);  // the first generation is drawn at random
   }
-}
-
-// A toy without noise, which counts what it evaluates and may say that it repeats itself.
-struct CountingToy final : Evaluator {
-  CountingToy(bool says_so, std::atomic<long>& count) : deterministic_(says_so), evaluated(count) {}
-  int descriptor_size() const override { return 2; }
-  bool deterministic() const override { return deterministic_; }
-  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed) const override {
-    evaluated += end - begin;
-    for (Eigen::Index i = begin; i < end; ++i) {
-      batch.descriptor.row(i) = batch.genome.row(i).head(2);
-      batch.fitness[i] = -batch.genome(i, 2);
-      batch.uncertainty[i] = 2 * batch.genome(i, 1);
-      batch.valid[i] = batch.genome(i, 0) + batch.genome(i, 1) < 1.5f;
-    }
-  }
-  bool deterministic_;
-  std::atomic<long>& evaluated;
-};
-
-TEST(Search, ACopyOfADeterministicSolutionNeedsNoEvaluation) {
-  for (const Container& container : all_containers())
-    for (const Credit credit : {Credit::kParent, Credit::kPublished}) {
-      std::atomic<long> evaluated[2] = {0, 0};
-      SearchState state[2];
-      for (const bool says_so : {false, true}) {
-        const CountingToy toy(says_so, evaluated[says_so]);
-        // So many children of so few parents that copies meet siblings in their parent's place.
-        const PolynomialMutation variation{3, 10, 0.2f};
-        const auto repertoire = container.make(3, 2);
-        CuriositySelector selector;
-        Search search(*repertoire, selector, variation, toy, {30, 1000, 7, credit}, Seed(19));
-        Workers workers(2);
-        while (!search.done()) search.step(workers);
-        state[says_so] = search.state();
-      }
-      expect_same(state[0], state[1]);
-      EXPECT_EQ(state[0].elites.uncertainty, state[1].elites.uncertainty);
-      EXPECT_EQ(evaluated[0], 30 * 1000);
-      // Half of the children mutate in no gene, and some genes at a border stay there.
-      EXPECT_LT(evaluated[1], 1000 + 29 * 1000 * (1 - 0.8 * 0.8 * 0.8) + 500);
-      EXPECT_GT(evaluated[1], 0.3 * 30 * 1000);
-    }
 }
 
 // The first number of every stream that a search hands out, noted by what it is handed to.
