@@ -43,6 +43,11 @@ constexpr std::array kContenders = {
     Row{"nao", "NAO", Colour::green},
     Row{"absolute", "absolute", Colour::blue},
     Row{"squared", "squared", Colour::purple},
+    Row{"line_end", "line,\nend", Colour::sky},
+    Row{"line_displacement", "line,\nshift", Colour::sky},
+    Row{"arc_end", "arc,\nend", Colour::orange},
+    Row{"arc_centre", "arc,\ncentre", Colour::orange},
+    Row{"arc_length", "arc,\nlength", Colour::orange},
 };
 
 }  // namespace

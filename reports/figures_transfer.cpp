@@ -50,19 +50,34 @@ std::string robot_name(const std::string& stage) {
   return name;
 }
 
-// Pairs at even ranks from the most to the least alike, the arm's digit above the robot's.
-Panel pairs_panel(const std::vector<Pair>& pairs, const std::string& robot) {
-  constexpr int kColumns = 8, kRows = 3, kPixels = 84;
+constexpr int kColumns = 8, kRows = 3;
+
+// At even ranks from the most to the least alike.
+std::vector<Pair> at_even_ranks(const std::vector<Pair>& pairs) {
+  const std::size_t n = std::min<std::size_t>(pairs.size(), kColumns * kRows);
+  std::vector<Pair> some;
+  for (std::size_t k = 0; k < n; ++k) some.push_back(pairs[n == 1 ? 0 : k * (pairs.size() - 1) / (n - 1)]);
+  return some;
+}
+
+// From the least alike on.
+std::vector<Pair> worst(const std::vector<Pair>& pairs) {
+  const std::size_t n = std::min<std::size_t>(pairs.size(), kColumns * kRows);
+  return {pairs.rbegin(), pairs.rbegin() + static_cast<std::ptrdiff_t>(n)};
+}
+
+// The arm's digit above the robot's, their difference below.
+Panel pairs_panel(const std::string& title, const std::vector<Pair>& pairs, const std::string& robot) {
+  constexpr int kPixels = 84;
   constexpr double kWidth = 500, kEdge = 40, kCell = (kWidth - kEdge) / kColumns, kRow = 2 * kCell + 24;
-  const std::size_t shown = std::min<std::size_t>(pairs.size(), kColumns * kRows);
   std::string body;
-  for (int row = 0; row < kRows && static_cast<std::size_t>(row * kColumns) < shown; ++row) {
+  for (int row = 0; row < kRows && static_cast<std::size_t>(row * kColumns) < pairs.size(); ++row) {
     InkSheet sheet(kColumns * kPixels, 2 * kPixels);
     const double top = row * kRow;
     for (int column = 0; column < kColumns; ++column) {
       const auto k = static_cast<std::size_t>(row * kColumns + column);
-      if (k >= shown) break;
-      const Pair& pair = pairs[shown == 1 ? 0 : k * (pairs.size() - 1) / (shown - 1)];
+      if (k >= pairs.size()) break;
+      const Pair& pair = pairs[k];
       sheet.place(pair.arm, (column + 0.5) * kPixels, 0.5 * kPixels, kPixels);
       sheet.place(pair.robot, (column + 0.5) * kPixels, 1.5 * kPixels, kPixels);
       body += svg_text(format_quantity(100.0 * pair.absolute, "%"), kEdge + (column + 0.5) * kCell,
@@ -72,7 +87,7 @@ Panel pairs_panel(const std::vector<Pair>& pairs, const std::string& robot) {
     body += svg_text("arm", 0, top + 0.5 * kCell + 4, 13, Colour::blue, Align::left);
     body += svg_text(robot, 0, top + 1.5 * kCell + 4, 13, Colour::vermilion, Align::left);
   }
-  return {"From the most to the least alike", {kWidth, kRows * kRow, body}, 3};
+  return {title, {kWidth, kRows * kRow, body}, 3};
 }
 
 }  // namespace
@@ -111,24 +126,38 @@ Figure transfer_figure(const Evidence& evidence) {
     const std::string robot = robot_name(stage);
     const std::vector<Pair> pairs = read_pairs(evidence.artifacts.replications(stage));
     if (pairs.empty()) throw InputError("{} holds no digit", stage);
-    figure.panels.push_back(pairs_panel(pairs, robot));
-    const std::string name = "transfer." + stage.substr(0, stage.size() - kSuffix.size());
-    for (Panel& panel : pooled_box_panel(evidence.statistics, {name + ".absolute", name + ".squared"},
-                                         {.title = "Difference per pixel, arm against " + robot,
-                                         .unit = "% of white against black",
-                                         .figure = figure.id,
-                                         .from_zero = true,
-                                         .brackets = false,
-                                         .span = 3},
-                                         figure.table))
-      figure.panels.push_back(std::move(panel));
+    const std::string name = "transfer." + stage.substr(0, stage.size() - kSuffix.size()) + ".";
+    const auto boxes = [&](const std::vector<std::string>& measures, const BoxOptions& options) {
+      std::vector<std::string> quantities;
+      for (const std::string& measure : measures) quantities.push_back(name + measure);
+      for (Panel& panel : pooled_box_panel(evidence.statistics, quantities, options, figure.table))
+        figure.panels.push_back(std::move(panel));
+    };
+    figure.panels.push_back(pairs_panel("From the most to the least alike", at_even_ranks(pairs), robot));
+    boxes({"absolute", "squared"}, {.title = "Difference per pixel, arm against " + robot,
+                                    .unit = "% of white against black",
+                                    .figure = figure.id,
+                                    .from_zero = true,
+                                    .brackets = false,
+                                    .span = 3});
+    figure.panels.push_back(pairs_panel("The least alike", worst(pairs), robot));
+    boxes({"line_end", "line_displacement", "arc_end", "arc_centre", "arc_length"},
+          {.title = "Lines and arcs, arm against " + robot,
+           .unit = "mm of the arm",
+           .figure = figure.id,
+           .from_zero = true,
+           .scale = 1000,
+           .brackets = false,
+           .span = 3});
     names += (names.empty() ? "" : ", ") + robot;
   }
   figure.caption = fmt::format(
-      "Layers 2 to 4 of the arm over the first layer of {}. Left: digits at even ranks of the mean absolute "
-      "difference per pixel, which stands below each pair. Right: that difference, absolute and squared, "
-      "over all "
-      "digits of all replications.",
+      "Layers 2 to 4 of the arm over the first layer of {}. Digits: at even ranks of the mean absolute "
+      "difference per pixel, which stands below each pair, and those with the greatest; that difference, "
+      "absolute and squared, over all digits of all replications. Lines and arcs, executed by both from "
+      "common starts: the distance between their end points, between what a line displaces the pen by, "
+      "between the centres of an arc, and the difference of its lengths. Whiskers: within 1.5 "
+      "interquartile ranges.",
       escape_html(names));
   return figure;
 }

@@ -308,8 +308,11 @@ class Experiment {
                                    {"robot_layer1", numbered(robot.name + "_layer1", r)},
                                    {"layer4", numbered("layer4", r)},
                                    {"digits", numbered("digits", r)}});
-      add("robot_transfer", robot.name + "_transfer", r, with(digits_slice(r), {{"robot", body}}), inputs,
-          {robot.urdf});
+      add("robot_transfer", robot.name + "_transfer", r,
+          with(digits_slice(r), {{"reading", settings_to_json(p_.layer3.reading)},
+                                 {"transfer", settings_to_json(p_.transfer)},
+                                 {"robot", body}}),
+          inputs, {robot.urdf});
     }
 
     Inputs inputs{{"plane", plane + ".h5"},

@@ -10,6 +10,7 @@
 #include "models/simbody/robot_settings.h"
 #include "stages/data_settings.h"
 #include "stages/descriptor_settings.h"
+#include "stages/robot_tasks.h"
 #include "stages/settings.h"
 
 namespace hbr {
@@ -206,6 +207,7 @@ struct Profile {
   FlatDigitsTable flat_digits;
   ExperimentsTable experiments;
   LayerTable robot_layer1;
+  TransferTable transfer;
   std::vector<RobotSettings> robots;
   std::vector<Variation> variations;
 };
@@ -233,6 +235,7 @@ void describe(Fields& f, Profile& s) {
   f.table("flat_digits", s.flat_digits, "digits without a hierarchy");
   f.table("experiments", s.experiments, "what is done with finished layers");
   f.table("robot_layer1", s.robot_layer1, "points of the robots below");
+  f.table("transfer", s.transfer, "to the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");
   f.tables("variations", s.variations, "other readings, run beside this one");
 }

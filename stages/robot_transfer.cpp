@@ -1,5 +1,5 @@
-// Transfer (paper, section 5.2): every digit drawn by the arm and by another robot through the same layers 2
-// to 4.
+// Transfer (paper, section 5.2): every line, arc and digit executed by the arm and by another robot through
+// the same layers 2 to 4.
 #include <algorithm>
 #include <cmath>
 
@@ -7,15 +7,21 @@
 #include "models/simbody/robot_on_plane.h"
 #include "pipeline/core/parallel.h"
 #include "stages/evolve.h"
+#include "stages/layer_errors.h"
+#include "stages/robot_tasks.h"
 
 namespace {
 
 struct TransferSlice : hbr::DigitsSlice {
+  hbr::ArcReadingTable reading;
+  hbr::TransferTable transfer;
   hbr::RobotSettings robot;
 };
 template <class Fields>
 void describe(Fields& f, TransferSlice& s) {
   describe_digits(f, s);
+  f.table("reading", s.reading, "of an arc's descriptor");
+  f.table("transfer", s.transfer, "lines and arcs");
   f.table("robot", s.robot, "the robot");
 }
 
@@ -30,6 +36,32 @@ Eigen::Index most_legible(const hbr::Hdf5Reader& digits) {
   for (std::size_t i = 1; i < label.size(); ++i)
     if (rank(i) > rank(best)) best = i;
   return static_cast<Eigen::Index>(best);
+}
+
+// Of all lines and arcs that the repertoires hold.
+void write_layer_errors(hbr::Hdf5Writer& file, const hbr::StageRun& stage, const TransferSlice& s,
+                        const hbr::PointLayer& arm, const hbr::PointLayer& robot, const hbr::LineLayer& lines,
+                        const hbr::ArcLayer& arcs, hbr::Workers& workers) {
+  const hbr::Seed seed = hbr::Seed(s.seed).child(stage.stage()).child(s.replication);
+  const auto starts = static_cast<std::size_t>(s.transfer.starts);
+
+  const hbr::Elites elites = hbr::read_elites(stage.input("layer2"));
+  std::vector<Eigen::Vector2d> requests;
+  for (Eigen::Index i = 0; i < elites.size(); ++i)
+    requests.push_back(decode_line(arm.frame(), elites.solution.row(i).data()));
+  const hbr::LineErrors of_lines =
+      line_errors(arm, robot, requests, s.transfer.starts, seed.child("lines"), workers);
+  file.write("lines/end", {requests.size(), starts}, of_lines.end.data());
+  file.write("lines/displacement", {requests.size(), starts}, of_lines.displacement.data());
+
+  std::vector<hbr::ArcLines> controllers;
+  for (std::int32_t i = 0; i < arcs.size(); ++i) controllers.push_back(arcs.lines(i));
+  const hbr::ArcErrors of_arcs =
+      arc_errors(arm, robot, lines, controllers, hbr::make_reading(s.reading).centre, s.transfer.starts,
+                 seed.child("arcs"), workers);
+  file.write("arcs/end", {controllers.size(), starts}, of_arcs.end.data());
+  file.write("arcs/centre", {controllers.size(), starts}, of_arcs.centre.data());
+  file.write("arcs/length", {controllers.size(), starts}, of_arcs.length.data());
 }
 
 void run(hbr::StageRun& stage) {
@@ -81,6 +113,7 @@ void run(hbr::StageRun& stage) {
   file.write("robot", images, robot_images.data());
   file.write("absolute", absolute);
   file.write("squared", squared);
+  write_layer_errors(file, stage, s, arm_points, robot_points, lines, arcs, workers);
   file.write("picture/pen", {points, 2}, trace.pen.data());
   file.write("picture/joints", {points, static_cast<std::size_t>(robot.dof())},
              std::vector<float>(trace.joints.begin(), trace.joints.end()).data());

@@ -82,30 +82,6 @@ void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& 
   for (const auto& [name, values] : pooled) table.box(name, values);
 }
 
-void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
-  std::map<std::string, std::vector<double>> pooled;  // in per cent, as in the paper
-  for (const Artifact& artifact : artifacts) {
-    const Hdf5Reader file(artifact.path);
-    for (const char* difference : {"absolute", "squared"}) {
-      const std::string name = fmt::format("{}.{}", artifact.name.prefix(), difference);
-      std::vector<double> values = read_values(file, difference);
-      for (double& value : values) value *= 100;
-      table.add(name, artifact.name.replication, summarise(values, name.c_str()).median);
-      pooled[name].insert(pooled[name].end(), values.begin(), values.end());
-    }
-  }
-  for (const auto& [name, values] : pooled) {
-    table.box(name, values);
-    const Box b = box(values, name.c_str());
-    const auto n = static_cast<double>(b.all.n);
-    table.number(name + "_median", b.all.median);
-    table.number(name + "_low", b.low);
-    table.number(name + "_high", b.high);
-    table.number(name + "_outliers", 100 * static_cast<double>(b.above) / n);
-    table.number(name.substr(0, name.rfind('.')) + ".images", n);
-  }
-}
-
 void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
   for (const Artifact& artifact : artifacts)
     table.number(artifact.name.prefix() + ".covered", Hdf5Reader(artifact.path).number_attribute("covered"));

@@ -167,6 +167,13 @@ class SyntheticExperiment {
       Hdf5Writer file(place(robot + "_transfer", r));
       file.write("absolute", absolute);
       file.write("squared", squared);
+      for (const auto& [name, middle] :
+           {std::pair{"lines/end", 0.006f}, std::pair{"lines/displacement", 0.008f},
+            std::pair{"arcs/end", 0.02f}, std::pair{"arcs/centre", 0.03f}, std::pair{"arcs/length", 0.01f}}) {
+        Array<float> errors{{50, 4}, {}};
+        for (int i = 0; i < 200; ++i) errors.values.push_back(middle * rng.uniform(0.1f, 1.9f));
+        file.write(name, errors);
+      }
       file.close();
     }
   }

@@ -11,6 +11,7 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/names.h"
+#include "pipeline/statistics/summary.h"
 #include "tests/support/synthetic_experiment.h"
 #include "tests/support/temporary_folder.h"
 
@@ -152,6 +153,11 @@ TEST(Collect, TransferWithoutItsOutliers) {
   EXPECT_NEAR(number("squared_high"), number("absolute_high") / 3, 1e-6);
   EXPECT_EQ(found["quantities"]["transfer.nao.absolute"]["unit"], "%");
   EXPECT_FLOAT_EQ(found["boxes"]["transfer.nao.absolute"]["max"].get<float>(), 8.0f);
+  EXPECT_EQ(found["boxes"]["transfer.nao.arc_centre"]["n"], 400);
+  EXPECT_EQ(found["quantities"]["transfer.nao.line_end"]["unit"], "m");
+  const auto ends = Hdf5Reader(folder.path() / "nao_transfer/01.h5").read<float>("lines/end").values;
+  EXPECT_EQ(found["quantities"]["transfer.nao.line_end"]["values"][1],
+            summarise({ends.begin(), ends.end()}, "ends").median);
 }
 
 TEST(Collect, TransferCountsOutliersAboveOnly) {
@@ -160,6 +166,8 @@ TEST(Collect, TransferCountsOutliersAboveOnly) {
   Hdf5Writer file(path);
   for (const char* name : {"absolute", "squared"})
     file.write(name, std::vector<float>{0, 1, 1.01f, 1.02f, 1.03f, 1.04f, 1.05f, 5});
+  for (const char* name : {"lines/end", "lines/displacement", "arcs/end", "arcs/centre", "arcs/length"})
+    file.write(name, std::vector<float>{1});
   file.close();
   const json found = collect_statistics("tiny", {{"nao_transfer/00.h5", path}})["numbers"];
   EXPECT_EQ(found["transfer.nao.absolute_outliers"]["value"], 12.5);
