@@ -21,7 +21,10 @@ Figure points_figure(const Evidence& evidence);        // layer 1: size and mean
 Figure searches_figure(const Evidence& evidence);      // layer 1 by other containers and selectors
 Figure autoencoder_figure(const Evidence& evidence);   // Fig. notation, bottom: learning, latent space
 Figure digits_figure(const Evidence& evidence);        // Fig. main_res
+Figure continuum_figure(const Evidence& evidence);     // the digits along a walk through the latent space
+Figure strokes_figure(const Evidence& evidence);       // the arm drawing
 Figure judge_figure(const Evidence& evidence);         // what the classifier says of the digits
+Figure fooling_figure(const Evidence& evidence);       // the network's error against the judge's confidence
 Figure substitution_figure(const Evidence& evidence);  // Fig. transfer a
 Figure transfer_figure(const Evidence& evidence);      // Fig. transfer b
 Figure posture_figure(const Evidence& evidence);       // the robot drawing

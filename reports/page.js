@@ -11,3 +11,6 @@ for (const button of filters) button.addEventListener("click", () => {
     row.hidden = Boolean(verdict) && row.dataset.verdict !== verdict;
 });
 addEventListener("beforeprint", () => { for (const d of document.querySelectorAll("details")) d.open = true; });
+// Who asked for no motion sees what the animations end in.
+if (matchMedia("(prefers-reduced-motion: reduce)").matches)
+  for (const svg of document.querySelectorAll("svg:has(.moving)")) { svg.pauseAnimations(); svg.setCurrentTime(4.9); }

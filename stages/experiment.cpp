@@ -288,6 +288,9 @@ class Experiment {
          {"judge", "judge.h5"},
          {"hbr", numbered("layer4", r)},
          {"flat", numbered("flat_digits", r)}});
+    Inputs drawn = hierarchy(r);
+    drawn.insert(drawn.end(), {{"layer4", numbered("layer4", r)}, {"digits", numbered("digits", r)}});
+    add("strokes", "strokes", r, digits_slice(r), drawn);
   }
 
   void transfer(const RobotSettings& robot) {

@@ -33,6 +33,11 @@ std::string family(const Split& name) {
   return "";
 }
 
+// "digits.hbr.good_of_class.4" -> "good_of_class.4".
+std::string what_of_digits(const std::string& name) {
+  return name.substr(name.find('.', name.find('.') + 1) + 1);
+}
+
 void add_tests(StatisticsTable& table) {
   const std::vector<std::string> names = table.names();
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -40,9 +45,10 @@ void add_tests(StatisticsTable& table) {
     if (family(a).empty()) continue;
     for (std::size_t j = i + 1; j < names.size(); ++j) {
       const Split b = split_last(names[j]);
-      // Of accuracies and substitutions the last word is whose it is.
-      const bool comparable =
-          family(a) == "accuracy" || first_word(a.subject) == "substitution" || a.measure == b.measure;
+      // Of accuracies and substitutions the last word is whose it is; of digits the second.
+      const bool comparable = family(a) == "accuracy" || first_word(a.subject) == "substitution" ||
+                              (family(a) == "digits" ? what_of_digits(names[i]) == what_of_digits(names[j])
+                                                     : a.measure == b.measure);
       if (family(a) == family(b) && comparable) table.test(names[i], names[j]);
     }
   }

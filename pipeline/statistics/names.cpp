@@ -37,6 +37,7 @@ constexpr std::array kHeads = {
     Head{"arc_quality", "arcs drawn again", false, false},
     Head{"substitution", "substitution of layer 1", false, false},
     Head{"digits", "digits", false, false},
+    Head{"strokes", "strokes", false, false},
     Head{"transfer", "transfer", false, true},
     Head{"plane", "drawing plane", false, true},
     Head{"picture", "picture", false, true},
@@ -89,6 +90,8 @@ constexpr std::array kOfDigits = {
     Entry{"good_others", "", "{}: share of good images among those the judge takes for 2 to 9"},
     Entry{"confidence", "", "{}: mean confidence of the judge"},
     Entry{"distance", "", "{}: median distance to the nearest image of the dataset"},
+    Entry{"agreement", "",
+          "{}: rank correlation between the network's opinion (fitness) and the judge's (confidence)"},
     Entry{"rarest", "", "{}: good images of the rarest class, over the mean of the classes"},
     Entry{"reach", "", "{}: greatest absolute latent coordinate"},
     Entry{"neighbour_difference", "", "{}: mean pixel difference between an image and its latent neighbour"},
@@ -180,9 +183,12 @@ std::optional<Meaning> of_search(const std::vector<std::string>& parts) {
 }
 
 std::optional<Meaning> of_digits(const std::vector<std::string>& parts) {
-  if (parts.size() == 4 && parts[2] == "good_of_class" && is_number(parts[3]))
-    return Meaning{"images",
-                   fmt::format("digits, {}: good images of class {}", variant_words(parts[1]), parts[3])};
+  if (parts.size() == 4 && is_number(parts[3]))
+    for (const auto& [measure, which] :
+         {std::pair{"good_of_class", "good images"}, std::pair{"all_of_class", "images"}})
+      if (parts[2] == measure)
+        return Meaning{"images", fmt::format("digits, {}: {} that the judge takes for a {}",
+                                             variant_words(parts[1]), which, parts[3])};
   const Entry* entry = parts.size() == 3 ? find_entry(kOfDigits, parts[2]) : nullptr;
   if (!entry) return {};
   return make(*entry, "digits, " + variant_words(parts[1]));

@@ -7,6 +7,7 @@
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
+#include "pipeline/statistics/rank_correlation.h"
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
 
@@ -22,7 +23,7 @@ struct Digits {
   std::size_t n = 0, dim = 0, pixels = 0;
   std::vector<std::uint8_t> image;  // [n x pixels]
   std::vector<float> measures;      // [n x dim]
-  std::vector<float> confidence, distance;
+  std::vector<float> objective, confidence, distance;
   std::vector<std::uint8_t> label, good;
 };
 
@@ -34,12 +35,13 @@ Digits read_group(const Hdf5Reader& file, const std::string& group) {
   const Array<float> measures = file.read<float>(group + "/measures");
   d.measures = measures.values;
   d.dim = measures.shape.size() == 2 ? measures.shape[1] : 0;
+  d.objective = file.read<float>(group + "/objective").values;
   d.confidence = file.read<float>(group + "/confidence").values;
   d.distance = file.read<float>(group + "/distance").values;
   d.label = file.read<std::uint8_t>(group + "/label").values;
   d.good = file.read<std::uint8_t>(group + "/good").values;
-  if (d.n == 0 || d.dim == 0 || d.measures.size() != d.dim * d.n || d.confidence.size() != d.n ||
-      d.distance.size() != d.n || d.label.size() != d.n || d.good.size() != d.n)
+  if (d.n == 0 || d.dim == 0 || d.measures.size() != d.dim * d.n || d.objective.size() != d.n ||
+      d.confidence.size() != d.n || d.distance.size() != d.n || d.label.size() != d.n || d.good.size() != d.n)
     throw InputError("{}: the arrays of {}/ differ in length or are empty", file.path().string(), group);
   if (std::ranges::any_of(d.label, [](std::uint8_t c) { return c >= kClasses; }))
     throw InputError("{}: {}/label has a class above 9", file.path().string(), group);
@@ -122,8 +124,10 @@ void add_judgement(const std::string& prefix, int replication, const Digits& d, 
   if (const int all = std::accumulate(good.begin(), good.end(), 0); all > 0)
     table.add(prefix + ".rarest", replication,
               static_cast<double>(std::ranges::min(good)) * kClasses / static_cast<double>(all));
-  for (std::size_t c = 0; c < kClasses; ++c)
+  for (std::size_t c = 0; c < kClasses; ++c) {
     table.add(fmt::format("{}.good_of_class.{}", prefix, c), replication, good[c]);
+    table.add(fmt::format("{}.all_of_class.{}", prefix, c), replication, seen[c]);
+  }
 }
 
 }  // namespace
@@ -145,6 +149,9 @@ void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table)
       for (const float z : d.measures) reach = std::max(reach, std::abs(static_cast<double>(z)));
       table.add(prefix + ".reach", replication, reach);
       if (d.n < 2) continue;
+      table.add(prefix + ".agreement", replication,
+                rank_correlation(std::vector<double>(d.objective.begin(), d.objective.end()),
+                                 std::vector<double>(d.confidence.begin(), d.confidence.end())));
       table.add(prefix + ".neighbour_difference", replication, neighbour_difference(d));
       table.add(prefix + ".pair_difference", replication, pair_difference(d));
     }

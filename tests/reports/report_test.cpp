@@ -70,8 +70,9 @@ TEST_F(ReportTest, GivesTheSameBytesTwice) {
   write_report(content, folder_ / "two");
   const auto one = files(folder_ / "one");
   EXPECT_TRUE(one == files(folder_ / "two"));
-  for (const char* figure : {"points", "searches", "autoencoder", "digits", "judge", "substitution",
-                             "transfer", "posture", "lines", "arcs", "arc_quality"})
+  for (const char* figure :
+       {"points", "searches", "autoencoder", "digits", "continuum", "strokes", "judge", "fooling",
+        "substitution", "transfer", "posture", "lines", "arcs", "arc_quality"})
     for (const char* kind : {".svg", ".pdf", ".csv"})
       EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
   EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kClaims);
@@ -108,7 +109,8 @@ TEST_F(ReportTest, SaysWhatIsMissing) {
   const std::string page = read(folder_ / "report/index.html");
   for (const char* sentence :
        {"This run has no layer 1", "This run compared no searches.", "This run trained no autoencoder.",
-        "This run has no digits", "No judge has looked", "This run did not exchange layer 1.",
+        "This run has no digits: neither", "in a latent space to walk through", "no digits whose strokes",
+        "This run has no digits of both", "No judge has looked", "This run did not exchange layer 1.",
         "no other robot", "no picture of NAO", "This run has no lines", "This run has no arcs",
         "from fresh starts.", "This run drew no digits.", "No benchmarks are kept"})
     EXPECT_NE(page.find(sentence), std::string::npos) << sentence;

@@ -103,6 +103,35 @@ class SyntheticPictures {
     file.close();
   }
 
+  // A spiral, and an arm of eight links that turns beside it.
+  void strokes(int replication) {
+    constexpr int kPoints = 60, kLinks = 8;
+    Hdf5Writer file(place("strokes", replication));
+    std::vector<std::uint8_t> label, good;
+    std::vector<std::int64_t> id;
+    std::vector<std::int32_t> points;
+    std::vector<float> pen, joints;
+    for (int digit = 0; digit < 9; ++digit) {
+      label.push_back(static_cast<std::uint8_t>(digit));
+      good.push_back(digit != 8);
+      id.push_back(digit);
+      points.push_back(kPoints);
+      for (int k = 0; k < kPoints; ++k) {
+        const float turn = 0.1f * static_cast<float>(k * (digit + 1)) / 3, r = 0.001f * static_cast<float>(k);
+        pen.insert(pen.end(), {0.3f + r * std::cos(turn), 0.2f + r * std::sin(turn)});
+        for (int joint = 0; joint < kLinks; ++joint) joints.push_back(0.1f + 0.05f * std::sin(turn));
+      }
+    }
+    file.write("label", label);
+    file.write("good", good);
+    file.write("id", id);
+    file.write("points", points);
+    file.write("pen", {pen.size() / 2, 2}, pen.data());
+    file.write("joints", {pen.size() / 2, kLinks}, joints.data());
+    file.write("links", std::vector<float>(kLinks, 0.07f));
+    file.close();
+  }
+
   void posture() {
     const std::filesystem::path folder = folder_ / "nao_picture";
     std::filesystem::create_directories(folder);
@@ -116,6 +145,7 @@ class SyntheticPictures {
   void everything(int replications) {
     for (int r = 0; r < replications; ++r) {
       digits(r, 300);
+      strokes(r);
       transfer(r, 100);
       autoencoder(r, 2000);
     }

@@ -11,6 +11,7 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/names.h"
+#include "pipeline/statistics/rank_correlation.h"
 #include "pipeline/statistics/summary.h"
 #include "tests/support/synthetic_experiment.h"
 #include "tests/support/temporary_folder.h"
@@ -197,7 +198,7 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
   };
   double pairs = 0, neighbours = 0;
   std::set<std::pair<int, int>> cells;
-  std::vector<int> goods(10);
+  std::vector<int> goods(10), alls(10);
   for (std::size_t i = 0; i < n; ++i) {
     std::size_t nearest = i;
     double least = 1e9;
@@ -213,6 +214,7 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
     while (static_cast<double>(z[2 * i + 1]) >= -1 + 0.1 * (column + 1)) ++column;
     cells.emplace(row, column);
     if (good[i]) goods[label[i]] += 1;
+    alls[label[i]] += 1;
   }
   const double pair_count = 0.5 * static_cast<double>(n * (n - 1));
   EXPECT_NEAR(value("pair_difference"), pairs / pair_count, 1e-12);
@@ -224,6 +226,12 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
   EXPECT_DOUBLE_EQ(value("classes"),
                    static_cast<double>(std::ranges::count_if(goods, [](int g) { return g >= 3; })));
   EXPECT_DOUBLE_EQ(value("good_of_class.4"), goods[4]);
+  EXPECT_DOUBLE_EQ(value("all_of_class.4"), alls[4]);
+  const auto doubles = [&](const char* name) {
+    const auto floats = file.read<float>(name).values;
+    return std::vector<double>(floats.begin(), floats.end());
+  };
+  EXPECT_DOUBLE_EQ(value("agreement"), rank_correlation(doubles("hbr/objective"), doubles("hbr/confidence")));
   EXPECT_DOUBLE_EQ(value("rarest"), 10.0 * std::ranges::min(goods) / all);
 }
 
