@@ -36,4 +36,11 @@ std::vector<std::string> Artifacts::stages(const std::string& prefix, const std:
   return result;
 }
 
+std::vector<std::string> Artifacts::ending(const std::string& suffix) const {
+  std::vector<std::string> result;
+  for (const auto& [name, path] : paths_)
+    if (name.ends_with(suffix)) result.push_back(name);
+  return result;
+}
+
 }  // namespace hbr

@@ -20,6 +20,8 @@ class Artifacts {
   std::vector<std::filesystem::path> replications(const std::string& stage) const;
   // Stages that have replications and whose name starts with `prefix` and ends with `suffix`, sorted.
   std::vector<std::string> stages(const std::string& prefix, const std::string& suffix = "") const;
+  // Artifacts of any kind whose name ends with `suffix`, sorted.
+  std::vector<std::string> ending(const std::string& suffix) const;
 
  private:
   std::map<std::string, std::filesystem::path> paths_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <sstream>
 
 namespace hbr {
@@ -51,6 +52,18 @@ constexpr std::array kContenders = {
 };
 
 }  // namespace
+
+std::string robot_title(const std::string& name) {
+  std::istringstream words(name);
+  std::string title;
+  for (std::string word; std::getline(words, word, '_');) {
+    if (title.empty() && !word.empty())
+      word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+    if (word == "Nao" || word == "nao") word = "NAO";
+    title += (title.empty() ? "" : " ") + word;
+  }
+  return title;
+}
 
 Contender contender(const std::string& name) {
   // The last word that the table knows: in "layer1.nao.size" NAO, not layer 1.

@@ -17,4 +17,7 @@ struct Contender {
 // drawn in grey.
 Contender contender(const std::string& name);
 
+// A robot of the profile as figures call it: "NAO", "NAO left", "Industrial".
+std::string robot_title(const std::string& name);
+
 }  // namespace hbr

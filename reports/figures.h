@@ -27,7 +27,7 @@ Figure judge_figure(const Evidence& evidence);         // what the classifier sa
 Figure fooling_figure(const Evidence& evidence);       // the network's error against the judge's confidence
 Figure substitution_figure(const Evidence& evidence);  // Fig. transfer a
 Figure transfer_figure(const Evidence& evidence);      // Fig. transfer b
-Figure posture_figure(const Evidence& evidence);       // the robot drawing
+Figure posture_figure(const Evidence& evidence);       // each robot drawing
 Figure lines_figure(const Evidence& evidence);         // Fig. res_line a
 Figure arcs_figure(const Evidence& evidence);          // Fig. res_line b
 Figure arc_quality_figure(const Evidence& evidence);   // arcs re-executed from fresh starts

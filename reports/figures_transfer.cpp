@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
+#include "reports/contender.h"
 #include "reports/figures.h"
 #include "reports/format.h"
 #include "reports/html.h"
@@ -43,11 +43,9 @@ std::vector<Pair> read_pairs(const std::vector<std::filesystem::path>& files) {
   return pairs;
 }
 
-// "nao_transfer" -> "NAO"
-std::string robot_name(const std::string& stage) {
-  std::string name = stage.substr(0, stage.size() - kSuffix.size());
-  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  return name;
+// "nao_transfer", "_transfer" -> "NAO"
+std::string robot_of(const std::string& stage, const std::string& suffix) {
+  return robot_title(stage.substr(0, stage.size() - suffix.size()));
 }
 
 constexpr int kColumns = 8, kRows = 3;
@@ -123,7 +121,7 @@ Figure transfer_figure(const Evidence& evidence) {
   }
   std::string names;
   for (const std::string& stage : stages) {
-    const std::string robot = robot_name(stage);
+    const std::string robot = robot_of(stage, kSuffix);
     const std::vector<Pair> pairs = read_pairs(evidence.artifacts.replications(stage));
     if (pairs.empty()) throw InputError("{} holds no digit", stage);
     const std::string name = "transfer." + stage.substr(0, stage.size() - kSuffix.size()) + ".";
@@ -163,17 +161,22 @@ Figure transfer_figure(const Evidence& evidence) {
 }
 
 Figure posture_figure(const Evidence& evidence) {
-  Figure figure{.id = "posture", .title = "NAO draws a digit."};
-  figure.caption =
-      "Left: the posture at the end of the stroke, seen through the board, so that the digit is mirrored. "
-      "Right: poses along the stroke.";
-  if (!evidence.artifacts.has("nao_picture")) {
-    figure.absent = "This run made no picture of NAO.";
+  Figure figure{.id = "posture", .title = "Robots that draw a digit."};
+  const std::string suffix = "_picture";
+  const auto pictures = evidence.artifacts.ending(suffix);
+  if (pictures.empty()) {
+    figure.absent = "This run made no picture of a robot.";
     return figure;
   }
-  const std::filesystem::path folder = evidence.artifacts.path("nao_picture");
-  figure.panels = {{"Posture", picture_file(folder / "posture.png", 400), 2},
-                   {"Along the stroke", picture_file(folder / "strip.png", 900), 4}};
+  for (const std::string& picture : pictures) {
+    const std::string robot = robot_of(picture, suffix);
+    const std::filesystem::path folder = evidence.artifacts.path(picture);
+    figure.panels.push_back({robot, picture_file(folder / "posture.png", 400), 2});
+    figure.panels.push_back({robot + ", along the stroke", picture_file(folder / "strip.png", 900), 4});
+  }
+  figure.caption =
+      "Left: the posture at the end of the stroke, seen through the board, so that the digit is mirrored. "
+      "Right: poses along the stroke, seen over the shoulder.";
   return figure;
 }
 

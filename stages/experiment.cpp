@@ -35,7 +35,7 @@ void check_name(const std::string& where, const std::string& table, const std::s
     throw InputError("{}: {}: name '{}': expected letters, digits and _", where, table, name);
 }
 
-const std::string kStatistics = "statistics.json";
+const std::string kStatistics = "statistics.json", kNaoMeshes = "nao_meshes";
 
 // Cuts the profile: every function adds the runs of one stage, told no more than they depend on.
 class Experiment {
@@ -321,15 +321,16 @@ class Experiment {
     Inputs inputs{{"plane", plane + ".h5"},
                   {"robot_layer1", numbered(robot.name + "_layer1", 0)},
                   {"strokes", numbered(robot.name + "_transfer", 0)}};
-    if (robot.meshes == "nao_meshes") {  // made, not found
-      graph_.push_back({"nao_meshes", "nao_meshes", -1, "nao_meshes", json::object(), {}, {}});
-      inputs.emplace_back("meshes", "nao_meshes");
+    if (robot.meshes == kNaoMeshes) {  // made, not found
+      if (std::ranges::find(graph_, kNaoMeshes, &Node::stage) == graph_.end())
+        graph_.push_back({kNaoMeshes, kNaoMeshes, -1, kNaoMeshes, json::object(), {}, {}});
+      inputs.emplace_back("meshes", kNaoMeshes);
     }
     graph_.push_back({"robot_picture",
                       robot.name + "_picture",
                       -1,
                       robot.name + "_picture",
-                      {{"half_side", p_.half_side}, {"robot", body}},
+                      {{"half_side", p_.half_side}, {"height", p_.robot_picture.height}, {"robot", body}},
                       inputs,
                       {robot.urdf}});
   }

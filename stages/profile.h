@@ -183,6 +183,15 @@ void describe(Fields& f, Variation& s) {
   f.raw_table("set", s.set, "the keys of the profile that it changes, in their tables");
 }
 
+struct RobotPictureTable {
+  int height = 0;
+};
+template <class Fields>
+void describe(Fields& f, RobotPictureTable& s) {
+  f.number("height", s.height, Range{60, 6000},
+           "of the posture's picture, pixels; the strip's is in proportion");
+}
+
 struct Profile {
   std::string name;
   std::uint64_t seed = 0;
@@ -208,6 +217,7 @@ struct Profile {
   ExperimentsTable experiments;
   LayerTable robot_layer1;
   TransferTable transfer;
+  RobotPictureTable robot_picture;
   std::vector<RobotSettings> robots;
   std::vector<Variation> variations;
 };
@@ -236,6 +246,7 @@ void describe(Fields& f, Profile& s) {
   f.table("experiments", s.experiments, "what is done with finished layers");
   f.table("robot_layer1", s.robot_layer1, "points of the robots below");
   f.table("transfer", s.transfer, "to the robots below");
+  f.table("robot_picture", s.robot_picture, "pictures of the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");
   f.tables("variations", s.variations, "other readings, run beside this one");
 }

@@ -10,12 +10,14 @@ namespace {
 
 struct PictureStage {
   double half_side = 0;
+  int height = 0;
   RobotSettings robot;
 };
 
 template <class Fields>
 void describe(Fields& f, PictureStage& s) {
   f.number("half_side", s.half_side, Range{1e-3, 1e3}, "L, m: the arm's drawing area is [-L, L]^2");
+  f.number("height", s.height, Range{60, 6000}, "of the posture's picture, pixels");
   f.table("robot", s.robot, "the robot");
 }
 
@@ -50,14 +52,16 @@ void run(StageRun& stage) {
 
   const Scene finished = drawing_scene(robot, meshes, drawing, last, settings.half_side);
   const Camera front = camera_for(finished, view_from_front(plane), kViewRad, 4. / 5);
-  write_png(stage.output() / "posture.png", render(finished, front, 1200, 1500));
+  write_png(stage.output() / "posture.png",
+            render(finished, front, settings.height * 4 / 5, settings.height));
   save_scene(stage.output() / "posture.glb", "glb2", finished.bodies);
 
+  const int pose_height = settings.height * 3 / 8, pose_width = pose_height * 3 / 4;
   const Camera shoulder = camera_for(finished, view_over_shoulder(plane), kViewRad, 3. / 4);
   std::vector<cv::Mat> poses;
   for (int i = 0; i < kPoses; ++i) {
     const Scene scene = drawing_scene(robot, meshes, drawing, last * (i + 1) / kPoses, settings.half_side);
-    poses.push_back(render(scene, shoulder, 420, 560));
+    poses.push_back(render(scene, shoulder, pose_width, pose_height));
     stage.progress(i + 1, kPoses, "poses");
   }
   cv::Mat strip;

@@ -11,14 +11,17 @@ namespace {
 
 const Eigen::Vector3f kInk(0.86f, 0.22f, 0.12f), kGlass(0.80f, 0.90f, 0.95f), kFrame(0.55f, 0.60f, 0.66f);
 
+// Lengths below are those of a board for NAO; larger robots have larger boards and thicker pens.
+double enlarged(const DrawingPlane& plane) { return plane.scale / 0.258; }
+
 Posed strokes(const DrawingPlane& plane, const Drawing& drawing, std::size_t last) {
   Posed ink{"strokes", {}};
-  constexpr double kRadius = 0.0030, kShortest = 1e-4;  // m
+  const double radius = 0.0030 * enlarged(plane), shortest = 1e-4 * enlarged(plane);  // m
   Eigen::Vector3d from = plane.to_robot(drawing.pen[0]);
   for (std::size_t i = 1; i <= last; ++i) {
     const Eigen::Vector3d to = plane.to_robot(drawing.pen[i]);
-    if ((to - from).norm() < kShortest) continue;
-    ink.meshes.push_back(coloured(rod(from, to, kRadius), kInk));
+    if ((to - from).norm() < shortest) continue;
+    ink.meshes.push_back(coloured(rod(from, to, radius), kInk));
     from = to;
   }
   return ink;
@@ -26,13 +29,13 @@ Posed strokes(const DrawingPlane& plane, const Drawing& drawing, std::size_t las
 
 // A pane behind the plane, framed, on two posts that stand on the floor.
 std::vector<Posed> board(const DrawingPlane& plane, double half_side, double floor) {
-  const double half = plane.scale * half_side, rail = 0.004;
+  const double half = plane.scale * half_side, rail = 0.004 * enlarged(plane);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear().col(0) = plane.u;
   pose.linear().col(1) = plane.v;
   pose.linear().col(2) = plane.normal();
-  pose.translation() = plane.origin - 0.004 * plane.normal();
-  Mesh pane = coloured(rounded_box({2 * half, 2 * half, 0.004}, 0.001), kGlass);
+  pose.translation() = plane.origin - rail * plane.normal();
+  Mesh pane = coloured(rounded_box({2 * half, 2 * half, rail}, rail / 4), kGlass);
   pane.opacity = 0.24f;
   Posed frame{"frame", {}, pose};
   for (const double side : {-1., 1.}) {
@@ -45,7 +48,7 @@ std::vector<Posed> board(const DrawingPlane& plane, double half_side, double flo
     const Eigen::Vector3d foot(corner[0], corner[1], floor + rail);
     if (corner[2] - foot[2] < 2 * rail) continue;
     const Eigen::Vector3d forth =
-        Eigen::Vector3d(plane.normal()[0], plane.normal()[1], 0).normalized() * 0.05;
+        Eigen::Vector3d(plane.normal()[0], plane.normal()[1], 0).normalized() * (12.5 * rail);
     posts.meshes.push_back(coloured(rod(corner, foot, rail), kFrame));
     posts.meshes.push_back(coloured(rod(foot - forth, foot + forth, rail), kFrame));
   }
@@ -55,21 +58,27 @@ std::vector<Posed> board(const DrawingPlane& plane, double half_side, double flo
 // Its point is on the drawing; it leans from the plane's normal towards the hand's back.
 Posed pen(const Eigen::Isometry3d& hand, const DrawingPlane& plane, const Eigen::Vector3d& point) {
   const Eigen::Vector3d lean = (0.9 * plane.normal() + 0.5 * hand.linear().col(2)).normalized();
-  constexpr double kRadius = 0.0042;
+  const double length = enlarged(plane);
+  // A cone of ink and the pen's body; sizes in metres where `length` is 1.
+  const auto turned = [&](double z0, double r0, double z1, double r1, Cap low, Cap high) {
+    low.height *= length, high.height *= length;
+    return loft({{z0 * length, Eigen::Vector2d::Constant(r0 * length)},
+                 {z1 * length, Eigen::Vector2d::Constant(r1 * length)}},
+                low, high, 24);
+  };
   Posed posed{"pen", {}};
   posed.pose.translate(point);
   posed.pose.rotate(Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), lean));
-  posed.meshes = {
-      coloured(loft({{0.001, {.0012, .0012}}, {0.012, {kRadius, kRadius}}}, {.001, .9}, {.001, .2}, 24),
-               kInk),
-      coloured(loft({{0.013, {kRadius, kRadius}}, {0.085, {kRadius, kRadius}}}, {.001, .2}, {.003, .7}, 24),
-               {0.15f, 0.16f, 0.18f})};
+  posed.meshes = {coloured(turned(.001, .0012, .012, .0042, {.001, .9}, {.001, .2}), kInk),
+                  coloured(turned(.013, .0042, .085, .0042, {.001, .2}, {.003, .7}), {0.15f, 0.16f, 0.18f})};
   return posed;
 }
 
-Eigen::Vector3d level_view(const DrawingPlane& plane, double turn_rad, double down_rad) {
+// `back_rad` from where the robot looks, seen from the right where the board lies to the robot's right.
+Eigen::Vector3d level_view(const DrawingPlane& plane, double back_rad, double down_rad) {
   const Eigen::Vector3d looks = -plane.normal();
-  const double azimuth = std::atan2(looks[1], looks[0]) + turn_rad;
+  const double turn_rad = plane.u.dot(plane.origin) >= 0 ? 0.95 : -0.95;
+  const double azimuth = std::atan2(looks[1], looks[0]) + back_rad + turn_rad;
   return {std::cos(down_rad) * std::cos(azimuth), std::cos(down_rad) * std::sin(azimuth),
           -std::sin(down_rad)};
 }
@@ -104,9 +113,9 @@ Scene drawing_scene(const RobotOnPlane& robot, const std::vector<std::vector<Mes
 }
 
 Eigen::Vector3d view_from_front(const DrawingPlane& plane) {
-  return level_view(plane, std::numbers::pi + 0.95, 0.16);
+  return level_view(plane, std::numbers::pi, 0.16);
 }
 
-Eigen::Vector3d view_over_shoulder(const DrawingPlane& plane) { return level_view(plane, 0.95, 0.20); }
+Eigen::Vector3d view_over_shoulder(const DrawingPlane& plane) { return level_view(plane, 0, 0.20); }
 
 }  // namespace hbr

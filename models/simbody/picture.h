@@ -18,7 +18,8 @@ Scene drawing_scene(const RobotOnPlane& robot, const std::vector<std::vector<Mes
                     const Drawing& drawing, std::size_t at, double half_side);
 
 // Three-quarter view from before the board, which shows the robot's face; and over its shoulder, which shows
-// the drawing as the robot sees it. Directions in which the viewer looks.
+// the drawing as the robot sees it; both from the side of the arm that draws. Directions in which the viewer
+// looks.
 Eigen::Vector3d view_from_front(const DrawingPlane& plane);
 Eigen::Vector3d view_over_shoulder(const DrawingPlane& plane);
 

@@ -89,6 +89,8 @@ TEST_F(ReportTest, NeedsNothingFromElsewhere) {
     EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
   EXPECT_EQ(page.find("{{"), std::string::npos);
   EXPECT_NE(page.find("1 &lt; 2 &amp; &lt;i&gt;so on&lt;/i&gt;"), std::string::npos);
+  for (const char* robot : {"NAO", "NAO, along the stroke", "Six legs", "Six legs, along the stroke"})
+    EXPECT_NE(page.find(std::string(">") + robot + "<"), std::string::npos) << robot;
   // Every id once.
   std::map<std::string, int> ids;
   for (const char quote : {'"', '\''}) {
@@ -111,7 +113,7 @@ TEST_F(ReportTest, SaysWhatIsMissing) {
        {"This run has no layer 1", "This run compared no searches.", "This run trained no autoencoder.",
         "This run has no digits: neither", "in a latent space to walk through", "no digits whose strokes",
         "This run has no digits of both", "No judge has looked", "This run did not exchange layer 1.",
-        "no other robot", "no picture of NAO", "This run has no lines", "This run has no arcs",
+        "no other robot", "no picture of a robot", "This run has no lines", "This run has no arcs",
         "from fresh starts.", "This run drew no digits.", "No benchmarks are kept"})
     EXPECT_NE(page.find(sentence), std::string::npos) << sentence;
   EXPECT_TRUE(fs::is_empty(folder_ / "report/figures"));

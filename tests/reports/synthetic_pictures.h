@@ -132,14 +132,14 @@ class SyntheticPictures {
     file.close();
   }
 
-  void posture() {
-    const std::filesystem::path folder = folder_ / "nao_picture";
+  void posture(const std::string& robot) {
+    const std::filesystem::path folder = folder_ / (robot + "_picture");
     std::filesystem::create_directories(folder);
     cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(235, 230, 225));
     cv::circle(picture, {160, 120}, 60, {120, 90, 60}, cv::FILLED, cv::LINE_AA);
     cv::imwrite((folder / "posture.png").string(), picture);
     cv::imwrite((folder / "strip.png").string(), picture);
-    artifacts_["nao_picture"] = folder;
+    artifacts_[robot + "_picture"] = folder;
   }
 
   void everything(int replications) {
@@ -149,7 +149,8 @@ class SyntheticPictures {
       transfer(r, 100);
       autoencoder(r, 2000);
     }
-    posture();
+    posture("nao");
+    posture("six_legs");
   }
 
  private:

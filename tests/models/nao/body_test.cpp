@@ -56,6 +56,19 @@ TEST(Nao, HandIsTheSameWithTheWholeBody) {
   }
 }
 
+TEST(Nao, LeftHandIsTheRightOneInTheMirror) {
+  const Body left(load_urdf(kUrdf), {"LShoulderPitch", "LShoulderRoll", "LElbowYaw", "LElbowRoll"});
+  Rng rng(Seed(3).child("nao"));
+  for (int i = 0; i < 1000; ++i) {
+    double q[4];
+    for (int k = 0; k < 4; ++k)
+      q[k] = left.lower()[k] + (left.upper()[k] - left.lower()[k]) * rng.uniform_double();
+    const double mirrored[] = {q[0], -q[1], -q[2], -q[3]};
+    const Eigen::Vector3d seen = hand(mirrored).cwiseProduct(Eigen::Vector3d(1, -1, 1));
+    EXPECT_LT((left.position(left.model().link("l_gripper"), q) - seen).norm(), 1e-12);
+  }
+}
+
 TEST(Nao, HasTwentyFiveIndependentJoints) {
   RobotModel model = load_urdf(kUrdf);
   EXPECT_EQ(model.independent_joints().size(), 25u);
