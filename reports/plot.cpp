@@ -88,7 +88,7 @@ Drawing draw(const BandPlot& plot, const std::string& prefix) {
   double step = 10 * power;
   for (const double factor : {5.0, 2.5, 2.0, 1.0})
     if (factor * power >= rough) step = factor * power;
-  if (step >= 1) script += fmt::format("set xtics {}\n", step);
+  if (last_x >= 4) script += fmt::format("set xtics {}\n", step);
   if (last_x >= 10000) script += "set format x '%.0s%c'\n";
   std::string lines, areas;
   for (std::size_t i = 0; i < plot.bands.size(); ++i) {

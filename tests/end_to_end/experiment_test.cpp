@@ -1,6 +1,10 @@
 // The experiment itself, tiny: all its stages, through the tool and a real make.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "pipeline/artifact/repertoire_file.h"
+#include "pipeline/drawing/draw.h"
 #include "tests/end_to_end/tiny_experiment.h"
 
 namespace hbr {
@@ -12,6 +16,41 @@ using testing::Not;
 std::vector<std::string> words(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
+}
+
+// The strokes' pen is where the joints put it, and draws the image of its elite once more.
+void expect_strokes_draw_the_images(const fs::path& out) {
+  const Hdf5Reader strokes(out / "strokes/00.h5"), layer4(out / "layer4/00.h5");
+  const Elites digits = read_elites(out / "layer4/00.h5");
+  const auto images = layer4.read<std::uint8_t>("image").values;
+  const auto label = strokes.read<std::uint8_t>("label").values;
+  const auto id = strokes.read<std::int64_t>("id").values;
+  const auto points = strokes.read<std::int32_t>("points").values;
+  const auto pen = strokes.read<float>("pen").values, joints = strokes.read<float>("joints").values,
+             links = strokes.read<float>("links").values;
+  ASSERT_FALSE(id.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(label));
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    const auto row = std::ranges::find(digits.id, id[i]) - digits.id.begin();
+    const double width = 1 + 3 * digits.solution(row, 2);
+    std::vector<float> image(kImagePixels);
+    draw(&pen[2 * at], points[i], width, Framing::box, 0.63965, image.data());
+    std::vector<std::uint8_t> bytes(kImagePixels);
+    image_to_bytes(image.data(), bytes.data());
+    EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), images.begin() + row * kImagePixels)) << i;
+    for (std::int32_t k = 0; k < points[i]; ++k, ++at) {
+      double x = 0, y = 0, angle = 0;
+      for (std::size_t link = 0; link < links.size(); ++link) {
+        angle += joints[at * links.size() + link];
+        x += links[link] * std::cos(angle);
+        y += links[link] * std::sin(angle);
+      }
+      ASSERT_NEAR(pen[2 * at], x, 1e-5) << i;
+      ASSERT_NEAR(pen[2 * at + 1], y, 1e-5) << i;
+    }
+  }
+  EXPECT_EQ(2 * at, pen.size());
 }
 
 // One test, since all begins with the whole experiment.
@@ -27,6 +66,8 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
     ASSERT_TRUE(others.contains(name)) << name;
     EXPECT_TRUE(others.at(name) == bytes) << name << " differs between one thread and two";
   }
+
+  expect_strokes_draw_the_images(experiment.out("one"));
 
   // The page says what was found: its templates' fields are filled, no number is undefined.
   const std::string publish = HBR_BINARY_DIR "/bin/publish " + experiment.out("one/page").string() + " " +
