@@ -316,6 +316,10 @@ class Experiment {
                                  {"transfer", settings_to_json(p_.transfer)},
                                  {"robot", body}}),
           inputs, {robot.urdf});
+      inputs.pop_back();  // the judge's verdicts
+      add("robot_dynamics", robot.name + "_dynamics", r,
+          with(digits_slice(r), {{"dynamics", settings_to_json(p_.dynamics)}, {"robot", body}}), inputs,
+          {robot.urdf});
     }
 
     Inputs inputs{{"plane", plane + ".h5"},

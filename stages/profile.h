@@ -218,6 +218,7 @@ struct Profile {
   LayerTable robot_layer1;
   TransferTable transfer;
   RobotPictureTable robot_picture;
+  DynamicsTable dynamics;
   std::vector<RobotSettings> robots;
   std::vector<Variation> variations;
 };
@@ -247,6 +248,7 @@ void describe(Fields& f, Profile& s) {
   f.table("robot_layer1", s.robot_layer1, "points of the robots below");
   f.table("transfer", s.transfer, "to the robots below");
   f.table("robot_picture", s.robot_picture, "pictures of the robots below");
+  f.table("dynamics", s.dynamics, "of the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");
   f.tables("variations", s.variations, "other readings, run beside this one");
 }

@@ -38,39 +38,68 @@ SimTK::MassProperties mass_properties(const Part& part) {
 
 }  // namespace
 
-struct Body::Plan : Parts {};
+struct Body::Plan : Parts {
+  int ground = 0;                                          // the part that stands still
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of it
+};
 
 struct Body::Instance {
   SimTK::MultibodySystem system;
   SimTK::SimbodyMatterSubsystem matter{system};
   std::vector<SimTK::MobilizedBody> bodies;  // of each part
-  std::vector<int> slots;                    // of each part: its place in the state's coordinates
+  std::vector<int> slots;                    // of each part's joint: its place among the state's coordinates
   SimTK::State state;
   SimTK::Matrix_<SimTK::Vec3> jacobian;
+  SimTK::Matrix mass;
+  SimTK::Vector_<SimTK::SpatialVec> forces;
+  SimTK::Vector no_torques, no_accelerations, residual;
 
-  explicit Instance(const RobotModel& model, const Plan& plan) {
-    for (const Part& part : plan.parts) {
-      const SimTK::Body::Rigid body(mass_properties(part));
-      if (part.parent < 0) {
-        bodies.push_back(SimTK::MobilizedBody::Weld(matter.Ground(), body));
-        continue;
-      }
-      const Joint& joint = model.joints[part.joint];
-      // A Pin turns about the z axis of its frames, a Slider goes along x.
-      const bool slides = joint.kind == Joint::Kind::prismatic;
-      const SimTK::CoordinateAxis own_axis(slides ? 0 : 2);
-      const SimTK::Rotation frame(SimTK::UnitVec3(vec3(joint.axis)), own_axis);
-      const SimTK::Transform in_child(frame), in_parent = transform(part.origin) * in_child;
-      SimTK::MobilizedBody& parent = bodies[part.parent];
-      if (slides)
-        bodies.push_back(SimTK::MobilizedBody::Slider(parent, in_parent, body, in_child));
-      else
-        bodies.push_back(SimTK::MobilizedBody::Pin(parent, in_parent, body, in_child));
+  // A tree that grows from the part that stands still: joints on the way from there to the root are built
+  // from their child to their parent, and mean the same.
+  explicit Instance(const RobotModel& model, const Plan& plan) : bodies(plan.parts.size()) {
+    const auto n = static_cast<int>(plan.parts.size());
+    std::vector<int> mobilised(n, -1);  // of each part's joint: the part that it moves here
+    std::vector<int> grown{plan.ground};
+    bodies[plan.ground] =
+        SimTK::MobilizedBody::Weld(matter.Ground(), transform(plan.pose),
+                                   SimTK::Body::Rigid(mass_properties(plan.parts[plan.ground])), {});
+    for (std::size_t next = 0; next < grown.size(); ++next) {
+      const int from = grown[next];
+      const auto grow = [&](int joint_of, int to) {
+        if (mobilised[joint_of] >= 0) return;
+        mobilised[joint_of] = to;
+        bodies[to] = mobilise(model, plan, joint_of, from, to);
+        grown.push_back(to);
+      };
+      if (plan.parts[from].parent >= 0) grow(from, plan.parts[from].parent);
+      for (int child = 1; child < n; ++child)
+        if (plan.parts[child].parent == from) grow(child, child);
     }
     state = system.realizeTopology();
     system.realizeModel(state);
-    for (std::size_t i = 0; i < plan.parts.size(); ++i)
-      slots.push_back(plan.parts[i].parent < 0 ? -1 : static_cast<int>(bodies[i].getFirstQIndex(state)));
+    for (const int moved : mobilised)
+      slots.push_back(moved < 0 ? -1 : static_cast<int>(bodies[moved].getFirstQIndex(state)));
+    no_torques.resize(state.getNU());
+    no_accelerations.resize(state.getNU());
+    no_torques = no_accelerations = 0;
+    forces.resize(matter.getNumBodies());
+  }
+
+  // Part `to`, hung on part `from` by the joint of one of the two.
+  SimTK::MobilizedBody mobilise(const RobotModel& model, const Plan& plan, int joint_of, int from, int to) {
+    const Part& part = plan.parts[joint_of];
+    const Joint& joint = model.joints[part.joint];
+    // A Pin turns about the z axis of its frames, a Slider goes along x.
+    const bool slides = joint.kind == Joint::Kind::prismatic, reversed = to != joint_of;
+    const SimTK::CoordinateAxis own_axis(slides ? 0 : 2);
+    const SimTK::Rotation frame(SimTK::UnitVec3(vec3(joint.axis)), own_axis);
+    const SimTK::Transform in_child(frame), in_parent = transform(part.origin) * in_child;
+    const SimTK::Transform &inboard = reversed ? in_child : in_parent,
+                           &outboard = reversed ? in_parent : in_child;
+    const auto direction = reversed ? SimTK::MobilizedBody::Reverse : SimTK::MobilizedBody::Forward;
+    const SimTK::Body::Rigid body(mass_properties(plan.parts[to]));
+    if (slides) return SimTK::MobilizedBody::Slider(bodies[from], inboard, body, outboard, direction);
+    return SimTK::MobilizedBody::Pin(bodies[from], inboard, body, outboard, direction);
   }
 
   void pose(const Plan& plan, const double* joints) {
@@ -114,7 +143,8 @@ class Body::Lease {
   std::unique_ptr<Instance> instance_;
 };
 
-Body::Body(RobotModel model, std::vector<std::string> moving, const std::map<std::string, double>& rest)
+Body::Body(RobotModel model, std::vector<std::string> moving, const std::map<std::string, double>& rest,
+           const std::string& ground)
     : model_(std::move(model)),
       moving_(std::move(moving)),
       lower_(static_cast<Eigen::Index>(moving_.size())),
@@ -127,13 +157,33 @@ Body::Body(RobotModel model, std::vector<std::string> moving, const std::map<std
     upper_[static_cast<Eigen::Index>(i)] = joint.upper;
   }
   try {
-    Lease first(*this);  // what Simbody refuses is told here
+    { const Lease first(*this); }  // what Simbody refuses is told here
+    if (!ground.empty()) stand_on(model_.link(ground), rest);
+  } catch (const InputError&) {
+    throw;
   } catch (const std::exception& error) {
     throw InputError("{}: Simbody refuses this body: {}", model_.path.string(), error.what());
   }
 }
 
 Body::~Body() = default;
+
+void Body::stand_on(int link, const std::map<std::string, double>& rest) {
+  const Parts::Place place = plan_->places[link];
+  plan_->pose = link_poses(posture(rest))[link] * place.pose.inverse();
+  plan_->ground = place.part;
+  pool_->idle.clear();  // they stand on the root
+  const Lease first(*this);
+}
+
+Eigen::VectorXd Body::posture(const std::map<std::string, double>& rest) const {
+  Eigen::VectorXd result(dof());
+  for (Eigen::Index i = 0; i < dof(); ++i) {
+    const auto given = rest.find(moving_[static_cast<std::size_t>(i)]);
+    result[i] = std::clamp(given == rest.end() ? 0 : given->second, lower_[i], upper_[i]);
+  }
+  return result;
+}
 
 double Body::mass() const {
   const Lease instance(*this);
@@ -188,10 +238,55 @@ Eigen::Vector3d Body::position(int link, const double* joints, Eigen::Matrix3Xd*
   return eigen(body.findStationLocationInGround(instance->state, station));
 }
 
+void Body::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                     const Eigen::Vector3d& gravity, Equations& out) const {
+  HBR_CHECK(joints.size() == dof() && speeds.size() == dof(), "joints {}, speeds {}, expected {}",
+            joints.size(), speeds.size(), dof());
+  const Lease instance(*this);
+  instance->pose(*plan_, joints.data());
+  SimTK::State& state = instance->state;
+  const std::size_t n = plan_->parts.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (instance->slots[i] >= 0)
+      state.updU()[instance->slots[i]] = plan_->parts[i].multiplier * speeds[plan_->parts[i].coordinate];
+  instance->system.realize(state, SimTK::Stage::Velocity);
+
+  instance->forces = SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0));
+  for (std::size_t i = 0; i < n; ++i) {
+    const SimTK::MobilizedBody& body = instance->bodies[i];
+    const SimTK::Vec3 weight = plan_->parts[i].mass * vec3(gravity),
+                      arm = body.getBodyRotation(state) * vec3(plan_->parts[i].centre);
+    instance->forces[body.getMobilizedBodyIndex()] = {arm % weight, weight};
+  }
+  instance->matter.calcResidualForceIgnoringConstraints(state, instance->no_torques, instance->forces,
+                                                        instance->no_accelerations, instance->residual);
+  instance->matter.calcM(state, instance->mass);
+
+  // Joints that follow others add up in the coordinate that they follow.
+  out.mass.setZero(dof(), dof());
+  out.bias.setZero(dof());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (instance->slots[i] < 0) continue;
+    const Part& a = plan_->parts[i];
+    out.bias[a.coordinate] += a.multiplier * instance->residual[instance->slots[i]];
+    for (std::size_t k = 0; k < n; ++k) {
+      if (instance->slots[k] < 0) continue;
+      const Part& b = plan_->parts[k];
+      out.mass(a.coordinate, b.coordinate) +=
+          a.multiplier * b.multiplier * instance->mass(instance->slots[i], instance->slots[k]);
+    }
+  }
+}
+
 std::vector<bool> Body::moves(int link) const {
+  // The joints of the parts from the link to the root, or from what stands still to the root, but not of
+  // both.
+  std::vector<bool> on_path(plan_->parts.size(), false);
+  for (const int end : {plan_->places.at(link).part, plan_->ground})
+    for (int p = end; p > 0; p = plan_->parts[p].parent) on_path[p] = !on_path[p];
   std::vector<bool> result(dof(), false);
-  for (int p = plan_->places.at(link).part; p > 0; p = plan_->parts[p].parent)
-    result[plan_->parts[p].coordinate] = true;
+  for (std::size_t p = 1; p < on_path.size(); ++p)
+    if (on_path[p]) result[plan_->parts[p].coordinate] = true;
   return result;
 }
 

@@ -36,6 +36,7 @@ struct RobotSettings {
   std::string name, urdf, meshes;
   double mesh_scale = 1;
   std::string tip_link;
+  std::string stands_on;
   std::vector<std::string> joints;
   std::vector<std::string> rest_joints;
   std::vector<double> rest_positions;
@@ -61,6 +62,8 @@ void describe(Fields& f, RobotSettings& s) {
       "folder to look for its meshes, or the stage that makes them (nao_meshes); empty: where the URDF says");
   f.number("mesh_scale", s.mesh_scale, Range{1e-6, 1e6}, "metres per unit of its mesh files");
   f.text("tip_link", s.tip_link, "the link whose origin is the pen");
+  f.text("stands_on", s.stands_on,
+         "the link that stands still while the whole body moves in the dynamics; empty: the root link");
   f.texts("joints", s.joints, "the joints that draw, in the genome's order");
   f.texts("rest_joints", s.rest_joints, "joints that are held elsewhere than at 0");
   f.numbers("rest_positions", s.rest_positions, Range{-100, 100}, "where they are held, rad or m");

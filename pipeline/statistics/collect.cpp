@@ -74,6 +74,7 @@ nlohmann::json collect_statistics(const std::string& profile,
   read_substitution(artifacts["substitution"], table);
   read_digits(artifacts["digits"], table);
   read_transfer(artifacts["transfer"], table);
+  read_dynamics(artifacts["dynamics"], table);
   read_planes(artifacts["plane"], table);
   add_tests(table);
   return table.json();

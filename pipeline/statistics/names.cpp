@@ -40,6 +40,7 @@ constexpr std::array kHeads = {
     Head{"strokes", "strokes", false, false},
     Head{"transfer", "transfer", false, true},
     Head{"plane", "drawing plane", false, true},
+    Head{"dynamics", "dynamics", false, true},
     Head{"picture", "picture", false, true},
 };
 
@@ -115,6 +116,18 @@ constexpr std::array kOfTransfer = {
     Entry{"squared_low", "%", "{}: squared pixel difference, least without outliers"},
     Entry{"squared_high", "%", "{}: squared pixel difference, greatest without outliers"},
     Entry{"squared_outliers", "%", "{}: images whose squared difference is an outlier above"},
+};
+
+// Of digits replayed by servos: by the arm alone and by the whole body.
+constexpr std::array kOfReplays = {
+    Entry{"rms", "mm", "{}: distance of the tip from its way, root mean square over a digit"},
+    Entry{"max", "mm", "{}: greatest distance of the tip from its way"},
+    Entry{"off_plane", "mm", "{}: greatest distance of the tip from the drawing plane"},
+    Entry{"absolute", "%", "{}: absolute pixel difference from the digit before"},
+    Entry{"squared", "%", "{}: squared pixel difference from the digit before"},
+    Entry{"torque", "%", "{}: greatest torque of a digit, of its joint's limit"},
+    Entry{"speed", "%", "{}: greatest speed of a digit, of its joint's limit"},
+    Entry{"faster", "times", "{}: pace at which a joint reaches a limit, over the profile's"},
 };
 
 constexpr std::array kSingle = {
@@ -194,6 +207,25 @@ std::optional<Meaning> of_digits(const std::vector<std::string>& parts) {
   return make(*entry, "digits, " + variant_words(parts[1]));
 }
 
+std::optional<Meaning> of_dynamics(const std::vector<std::string>& parts) {
+  if (parts.size() < 3) return {};
+  const std::string robot = "dynamics of " + parts[1];
+  if (parts.size() == 3 && parts[2] == "digits") return Meaning{"digits", robot + ": digits replayed"};
+  if (parts.size() == 3 && parts[2] == "duration") return Meaning{"s", robot + ": duration of a digit"};
+  for (const auto& [player, words] : {std::pair<std::string, std::string>{"arm", "drawing joints alone"},
+                                      {"whole", "whole body"},
+                                      {"wanted", "the joints' smooth way"}}) {
+    if (!parts[2].starts_with(player + "_")) continue;
+    const std::string measure = parts[2].substr(player.size() + 1), subject = robot + ", " + words;
+    if (parts.size() == 4 && (measure == "torque_of" || measure == "speed_of"))
+      return Meaning{"%", fmt::format("{}: greatest {} of {} in a digit, of its limit", subject,
+                                      measure.substr(0, measure.size() - 3), parts[3])};
+    const Entry* entry = parts.size() == 3 ? find_entry(kOfReplays, measure) : nullptr;
+    if (entry) return make(*entry, subject);
+  }
+  return {};
+}
+
 }  // namespace
 
 bool is_search(const std::string& head) {
@@ -249,6 +281,7 @@ std::optional<Meaning> meaning_of(const std::string& name) {
   if (parts[0] == "transfer" && parts.size() == 3)
     if (const Entry* entry = find_entry(kOfTransfer, parts[2]))
       return make(*entry, "transfer to " + parts[1]);
+  if (parts[0] == "dynamics") return of_dynamics(parts);
   if (parts[0] == "plane" && parts.size() == 3 && parts[2] == "covered")
     return Meaning{"", fmt::format("{}: share of the arm's layer-1 points in its reach", parts[1])};
   if (parts[0] == "autoencoder" && parts.size() == 3 && parts[1] == "kept_of_class" && is_number(parts[2]))

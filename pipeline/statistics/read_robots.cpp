@@ -1,6 +1,9 @@
 // What other robots made of the arm's lines, arcs and digits.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/readers.h"
@@ -17,12 +20,15 @@ class Pooled {
   // All values of an array, multiplied by `scale`, under NAME.
   void add(const Artifact& artifact, const Hdf5Reader& file, const std::string& array,
            const std::string& measure, double scale) {
-    const std::vector<float> read = file.read<float>(array).values;
+    add(artifact, measure, file.read<float>(array).values, scale);
+  }
+  void add(const Artifact& artifact, const std::string& measure, const std::vector<float>& read,
+           double scale) {
+    const std::string name = artifact.name.prefix() + "." + measure;
     if (read.empty())
-      throw InputError("{}: array {} is empty; expected at least one value", file.path().string(), array);
+      throw InputError("{}: no value for {}; expected at least one", artifact.path.string(), name);
     std::vector<double> values(read.begin(), read.end());
     for (double& value : values) value *= scale;
-    const std::string name = artifact.name.prefix() + "." + measure;
     table_.add(name, artifact.name.replication, summarise(values, name.c_str()).median);
     std::vector<double>& all = values_[name];
     all.insert(all.end(), values.begin(), values.end());
@@ -36,6 +42,28 @@ class Pooled {
   StatisticsTable& table_;
   std::map<std::string, std::vector<double>> values_;
 };
+
+// Shares of limits [digits x joints]: the greatest of each digit, and each joint's own.
+void add_loads(Pooled& pooled, const Artifact& artifact, const Hdf5Reader& file, const std::string& player,
+               const std::string& load) {
+  const Array<float> shares = file.read<float>(player + "/" + load);
+  std::vector<std::string> joints;
+  std::istringstream names(file.text_attribute(player + ".joints"));
+  for (std::string name; names >> name;) joints.push_back(name);
+  if (shares.shape.size() != 2 || shares.shape[1] != joints.size() || joints.empty())
+    throw InputError("{}: {}/{} does not have a column for each of {} joints", file.path().string(), player,
+                     load, joints.size());
+  std::vector<float> greatest(shares.shape[0], 0);
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    std::vector<float> own;
+    for (std::size_t i = 0; i < greatest.size(); ++i) {
+      own.push_back(shares.values[i * joints.size() + k]);
+      greatest[i] = std::max(greatest[i], own.back());
+    }
+    pooled.add(artifact, player + "_" + load + "_of." + joints[k], own, 100);
+  }
+  pooled.add(artifact, player + "_" + load, greatest, 100);
+}
 
 }  // namespace
 
@@ -61,6 +89,29 @@ void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& tabl
     table.number(name + "_outliers", 100 * static_cast<double>(b.above) / n);
     table.number(name.substr(0, name.rfind('.')) + ".images", n);
   }
+}
+
+void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  Pooled pooled(table);
+  for (const Artifact& artifact : artifacts) {
+    const Hdf5Reader file(artifact.path);
+    pooled.add(artifact, file, "duration", "duration", 1);
+    const bool whole = file.has("whole/rms");
+    for (const std::string player : {"wanted", "arm", "whole"}) {
+      if (player == "whole" && !whole) continue;
+      for (const char* difference : {"absolute", "squared"})
+        pooled.add(artifact, file, player + "/" + difference, player + "_" + difference, 100);
+      if (player == "wanted") continue;
+      for (const char* error : {"rms", "max", "off_plane"})  // in millimetres
+        pooled.add(artifact, file, player + "/" + error, player + "_" + error, 1000);
+      pooled.add(artifact, file, player + "/faster", player + "_faster", 1);
+      for (const char* load : {"torque", "speed"}) add_loads(pooled, artifact, file, player, load);
+    }
+  }
+  pooled.write_boxes();
+  for (const auto& [name, values] : pooled.values())
+    if (name.ends_with(".duration"))
+      table.number(name.substr(0, name.rfind('.')) + ".digits", static_cast<double>(values.size()));
 }
 
 }  // namespace hbr

@@ -28,6 +28,7 @@ void read_arc_quality(const std::vector<Artifact>& artifacts, StatisticsTable& t
 void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 
 }  // namespace hbr

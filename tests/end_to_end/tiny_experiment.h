@@ -69,6 +69,7 @@ class TinyExperiment {
     profile.set("searches", "replications", "2");
     profile.set("experiments", "accuracy_requests", "200");
     profile.set("experiments", "fresh_starts", "20");
+    profile.set("dynamics", "every", "100");
     profile.set("robot_picture", "height", "150");
     profile.set_everywhere("generations", "20");
     profile.set_everywhere("samples", "3");

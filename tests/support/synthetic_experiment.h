@@ -178,6 +178,43 @@ class SyntheticExperiment {
     }
   }
 
+  // Two joints, one of them loaded twice as much as the other.
+  void dynamics(const std::string& robot, int n) {
+    const auto rows = static_cast<std::size_t>(n);
+    for (int r = 0; r < replications_; ++r) {
+      Rng rng(Seed(8).child(static_cast<std::uint64_t>(r)));
+      const auto around = [&](float middle) {
+        std::vector<float> values;
+        for (int i = 0; i < n; ++i) values.push_back(middle * rng.uniform(0.8f, 1.2f));
+        return values;
+      };
+      Hdf5Writer file(place(robot + "_dynamics", r));
+      file.write("duration", around(8));
+      for (const std::string player : {"wanted", "arm", "whole"}) {
+        const Array<std::uint8_t> image{{rows, 28, 28}, std::vector<std::uint8_t>(784 * rows, 100)};
+        if (player == "wanted") file.write("image", image);
+        file.write(player + "/image", image);
+        file.write(player + "/absolute", around(0.02f));
+        file.write(player + "/squared", around(0.008f));
+        if (player == "wanted") continue;
+        file.write(player + "/rms", around(6e-5f));
+        file.write(player + "/max", around(2e-4f));
+        file.write(player + "/off_plane", around(3e-3f));
+        file.write(player + "/faster", around(3));
+        for (const char* load : {"torque", "speed"}) {
+          Array<float> shares{{rows, 2}, {}};
+          for (int i = 0; i < n; ++i) {
+            const float share = rng.uniform(0.1f, 0.3f);
+            shares.values.insert(shares.values.end(), {share, 2 * share});
+          }
+          file.write(player + "/" + load, shares);
+        }
+        file.attribute(player + ".joints", std::string("Shoulder Elbow"));
+      }
+      file.close();
+    }
+  }
+
   void single(const std::string& name, const std::map<std::string, double>& attributes) {
     const std::filesystem::path path = folder_ / name;
     Hdf5Writer file(path);
@@ -247,6 +284,7 @@ class SyntheticExperiment {
     autoencoder(200 / shorter);
     digits(120, 0.6, 0.35);
     transfer("nao", 100);
+    dynamics("nao", 20);
     single("judge.h5", {{"test_accuracy", 0.99}, {"test_typical", 0.95}, {"random_typical", 0.05}});
     single("nao_plane.h5", {{"covered", 0.998}});
   }

@@ -175,6 +175,22 @@ TEST(Collect, TransferCountsOutliersAboveOnly) {
   EXPECT_NEAR(found["transfer.nao.absolute_low"]["value"].get<double>(), 100, 1e-4);
 }
 
+TEST(Collect, DynamicsOfDigitsAndJoints) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 2);
+  experiment.dynamics("nao", 9);
+  const json found = collect_statistics("tiny", experiment.artifacts());
+  EXPECT_EQ(found["numbers"]["dynamics.nao.digits"]["value"], 18);
+  EXPECT_NEAR(found["boxes"]["dynamics.nao.arm_rms"]["median"].get<double>(), 0.06, 0.012);
+  // The second joint always bears the most.
+  for (const char* statistic : {"min", "median", "max"}) {
+    const auto of = [&](const char* name) { return found["boxes"][name][statistic].get<double>(); };
+    EXPECT_DOUBLE_EQ(of("dynamics.nao.whole_torque"), of("dynamics.nao.whole_torque_of.Elbow"));
+    EXPECT_FLOAT_EQ(static_cast<float>(of("dynamics.nao.arm_speed_of.Elbow")),
+                    static_cast<float>(2 * of("dynamics.nao.arm_speed_of.Shoulder")));
+  }
+}
+
 // Measures of the drawings against their definitions, pair by pair.
 TEST(Collect, DigitsAgainstTheirDefinitions) {
   TemporaryFolder folder;
@@ -250,6 +266,7 @@ TEST(Collect, RefusesWhatIsNotAsDescribed) {
   refuses("substitution/00.h5", [](Hdf5Writer& f) { f.write("original", std::vector<float>{1, 2, 3}); });
   refuses("judge.h5", [](Hdf5Writer&) {});
   refuses("nao_transfer/00.h5", [](Hdf5Writer& f) { f.write("absolute", std::vector<double>{1}); });
+  refuses("nao_dynamics/00.h5", [](Hdf5Writer& f) { f.write("duration", std::vector<float>{}); });
   refuses("digits/00.h5", [](Hdf5Writer& f) {
     f.write("hbr/image", Array<std::uint8_t>{{1, 28, 28}, std::vector<std::uint8_t>(784)});
   });

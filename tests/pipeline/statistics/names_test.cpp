@@ -16,6 +16,7 @@ TEST(ArtifactName, HasHeadVariantAndReplication) {
        {Case{"layer2_n10/03.h5", "layer2", "n10", 3}, Case{"layer1/00.h5", "layer1", "", 0},
         Case{"layer1_substitute/12.h5", "layer1", "substitute", 12},
         Case{"nao_layer1/01.h5", "layer1", "nao", 1}, Case{"nao_transfer/07.h5", "transfer", "nao", 7},
+        Case{"nao_dynamics/07.h5", "dynamics", "nao", 7},
         Case{"layer2_n10_short/00.h5", "layer2", "n10_short", 0},
         Case{"flat_digits/09.h5", "flat_digits", "", 9}, Case{"judge.h5", "judge", "", -1},
         Case{"nao_plane.h5", "plane", "nao", -1}}) {
@@ -36,15 +37,17 @@ TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
   for (const char* name :
        {"layer2.n10.size", "layer1.size", "reference4d.size", "layer3.b.fresh_mean", "flat_arcs.equal_mean",
         "accuracy.reference_endpoint", "substitution.m3.substitute", "transfer.nao.absolute_median",
+        "dynamics.nao.arm_rms", "dynamics.nao.whole_torque_of.LHipPitch", "dynamics.nao.duration",
         "digits.hbr.good_of_class.4", "autoencoder.kept_of_class.2", "judge.test_accuracy",
         "layer4.generations", "genes.hierarchy"}) {
     const auto meaning = meaning_of(name);
     ASSERT_TRUE(meaning) << name;
     EXPECT_EQ(meaning->text.find("{}"), std::string::npos);
   }
-  for (const char* name : {"", "layer2", "layer2.n10.sizes", "layer5.size", "layer2..size", "layer2.a.b.size",
-                           "substitution.m4.original", "transfer.absolute", "digits.hbr.good_of_class.x",
-                           "judge.accuracy", "accuracy"})
+  for (const char* name :
+       {"", "layer2", "layer2.n10.sizes", "layer5.size", "layer2..size", "layer2.a.b.size",
+        "substitution.m4.original", "transfer.absolute", "dynamics.nao.leg_rms",
+        "dynamics.nao.arm_rms.LHipPitch", "digits.hbr.good_of_class.x", "judge.accuracy", "accuracy"})
     EXPECT_FALSE(meaning_of(name)) << name;
 }
 
