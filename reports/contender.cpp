@@ -1,5 +1,7 @@
 #include "reports/contender.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -49,7 +51,28 @@ constexpr std::array kContenders = {
     Row{"arc_end", "arc,\nend", Colour::orange},
     Row{"arc_centre", "arc,\ncentre", Colour::orange},
     Row{"arc_length", "arc,\nlength", Colour::orange},
+    Row{"wanted_absolute", "asked", Colour::grey},
+    Row{"arm_absolute", "arm", Colour::blue},
+    Row{"whole_absolute", "body", Colour::orange},
+    Row{"arm_rms", "arm,\nrms", Colour::blue},
+    Row{"arm_max", "arm,\nmost", Colour::blue},
+    Row{"whole_rms", "body,\nrms", Colour::orange},
+    Row{"whole_max", "body,\nmost", Colour::orange},
+    Row{"arm_torque", "torque,\narm", Colour::blue},
+    Row{"whole_torque", "torque,\nbody", Colour::orange},
+    Row{"arm_speed", "speed,\narm", Colour::blue},
+    Row{"whole_speed", "speed,\nbody", Colour::orange},
+    Row{"arm_faster", "arm", Colour::blue},
+    Row{"whole_faster", "body", Colour::orange},
 };
+
+// "RShoulderPitch" -> "RShoulder" above "Pitch".
+std::string in_two_lines(const std::string& joint) {
+  for (std::size_t at = joint.size(); at-- > 3;)
+    if (std::isupper(static_cast<unsigned char>(joint[at])) || joint[at] == '_')
+      return fmt::format("{}\n{}", joint.substr(0, at), joint.substr(at));
+  return joint;
+}
 
 }  // namespace
 
@@ -73,6 +96,10 @@ Contender contender(const std::string& name) {
     const auto row = std::ranges::find(kContenders, word, [](const Row& r) { return std::string(r.id); });
     if (row != kContenders.end()) who = &*row;
   }
+  // One joint of a robot's servos: "dynamics.nao.arm_torque_of.RShoulderPitch".
+  if (const std::size_t dot = name.rfind('.');
+      dot != std::string::npos && name.substr(0, dot).ends_with("_of"))
+    return {name, in_two_lines(name.substr(dot + 1)), Colour::green};
   return who ? Contender{name, who->label, who->colour} : Contender{name, name, Colour::grey};
 }
 

@@ -76,6 +76,20 @@ class SyntheticPictures {
     file.close();
   }
 
+  void dynamics(int replication, int n) {
+    Rng rng(Seed(4).child(static_cast<std::uint64_t>(replication)));
+    Hdf5Writer file(place("nao_dynamics", replication));
+    std::vector<float> absolute;
+    for (int i = 0; i < n; ++i) absolute.push_back(rng.uniform(0, 0.05f));
+    file.write("arm/absolute", absolute);
+    for (const char* name : {"image", "wanted/image", "arm/image", "whole/image"}) {
+      Array<std::uint8_t> images{{static_cast<std::size_t>(n), 28, 28}, {}};
+      for (int i = 0; i < n; ++i) append(images.values, draw(i % 10, rng, 0.1f));
+      file.write(name, images);
+    }
+    file.close();
+  }
+
   void autoencoder(int replication, int n) {
     Rng rng(Seed(3).child(static_cast<std::uint64_t>(replication)));
     Array<float> position{{static_cast<std::size_t>(n), 2}, {}}, decoded{{20, 28, 28}, {}};
@@ -147,6 +161,7 @@ class SyntheticPictures {
       digits(r, 300);
       strokes(r);
       transfer(r, 100);
+      dynamics(r, 12);
       autoencoder(r, 2000);
     }
     posture("nao");
