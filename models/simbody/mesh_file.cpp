@@ -6,8 +6,10 @@
 
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
+#include <cstring>
 #include <numbers>
 
+#include "models/simbody/own_process.h"
 #include "models/simbody/shapes.h"
 #include "pipeline/core/check.h"
 
@@ -44,27 +46,93 @@ fs::path below(const fs::path& folder, const fs::path& name) {
 Eigen::Vector3f vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 aiVector3D ai(const Eigen::Vector3f& v) { return {v[0], v[1], v[2]}; }
 
-Mesh mesh_from(const aiMesh& in, const aiScene& scene, const Eigen::Vector3d& scale) {
+Mesh mesh_from(const aiMesh& in, const aiScene& scene, const Eigen::Vector3f& uncoloured) {
   Mesh mesh;
-  for (unsigned i = 0; i < in.mNumVertices; ++i)
-    mesh.vertices.push_back(vector(in.mVertices[i]).cwiseProduct(scale.cast<float>()));
-  const bool inside_out = scale.prod() < 0;
+  for (unsigned i = 0; i < in.mNumVertices; ++i) {
+    mesh.vertices.push_back(vector(in.mVertices[i]));
+    if (!mesh.vertices.back().allFinite()) throw InputError("a vertex is not finite");
+  }
   for (unsigned i = 0; i < in.mNumFaces; ++i) {
     const aiFace& face = in.mFaces[i];
     if (face.mNumIndices != 3) continue;
-    Eigen::Vector3i t(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
-    if (inside_out) std::swap(t[1], t[2]);
-    mesh.triangles.push_back(t);
+    for (int k = 0; k < 3; ++k)
+      if (face.mIndices[k] >= in.mNumVertices)
+        throw InputError("a triangle names vertex {}, but there are {}", face.mIndices[k], in.mNumVertices);
+    mesh.triangles.emplace_back(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
   }
   if (in.HasNormals())
     for (unsigned i = 0; i < in.mNumVertices; ++i)
-      mesh.normals.push_back(vector(in.mNormals[i]).cwiseQuotient(scale.cast<float>()).normalized());
+      mesh.normals.push_back(vector(in.mNormals[i]).normalized());
   else
     smooth_normals(mesh);
+  mesh.colour = uncoloured;
   aiColor4D colour;
-  if (scene.mMaterials[in.mMaterialIndex]->Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)
+  const aiMaterial& material = *scene.mMaterials[in.mMaterialIndex];
+  if (std::string(material.GetName().C_Str()) != AI_DEFAULT_MATERIAL_NAME &&
+      material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)
     mesh.colour = {colour.r, colour.g, colour.b};
   return mesh;
+}
+
+// What assimp finds in a file. Throws InputError, without the file's name, where that is no mesh.
+std::vector<Mesh> read_scene(const fs::path& path, const Eigen::Vector3f& uncoloured) {
+  Assimp::Importer importer;
+  const aiScene* scene =
+      importer.ReadFile(path.string(), aiProcess_ValidateDataStructure | aiProcess_Triangulate |
+                                           aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices |
+                                           aiProcess_GenSmoothNormals | aiProcess_SortByPType);
+  const std::string why = importer.GetErrorString();
+  if (why.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+  if (why.starts_with("No suitable reader"))  // and the whole path again
+    throw InputError("not a mesh that can be read: damaged, or not OBJ, STL, DAE, glTF or the like");
+  if (!scene || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE))
+    throw InputError("not a mesh that can be read: {}", why.substr(0, why.find('\n')));
+  std::vector<Mesh> meshes;
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
+    Mesh mesh = mesh_from(*scene->mMeshes[i], *scene, uncoloured);
+    if (!mesh.triangles.empty()) meshes.push_back(std::move(mesh));
+  }
+  if (meshes.empty()) throw InputError("holds no triangle");
+  return meshes;
+}
+
+// Meshes as bytes, from the process that reads them.
+template <class Item>
+void pack(std::string& bytes, const Item* items, std::size_t n) {
+  bytes.append(reinterpret_cast<const char*>(items), n * sizeof(Item));
+}
+std::string packed(const std::vector<Mesh>& meshes) {
+  std::string bytes;
+  for (const Mesh& mesh : meshes) {
+    const std::size_t sizes[] = {mesh.vertices.size(), mesh.triangles.size()};
+    pack(bytes, sizes, 2);
+    pack(bytes, mesh.colour.data(), 3);
+    pack(bytes, mesh.vertices.data(), sizes[0]);
+    pack(bytes, mesh.normals.data(), sizes[0]);
+    pack(bytes, mesh.triangles.data(), sizes[1]);
+  }
+  return bytes;
+}
+std::vector<Mesh> unpacked(const std::string& bytes) {
+  std::vector<Mesh> meshes;
+  std::size_t at = 0;
+  const auto take = [&](auto* items, std::size_t n) {
+    std::memcpy(static_cast<void*>(items), bytes.data() + at, n * sizeof *items);
+    at += n * sizeof *items;
+  };
+  while (at < bytes.size()) {
+    std::size_t sizes[2];
+    take(sizes, 2);
+    Mesh& mesh = meshes.emplace_back();
+    mesh.vertices.resize(sizes[0]);
+    mesh.normals.resize(sizes[0]);
+    mesh.triangles.resize(sizes[1]);
+    take(mesh.colour.data(), 3);
+    take(mesh.vertices.data(), sizes[0]);
+    take(mesh.normals.data(), sizes[0]);
+    take(mesh.triangles.data(), sizes[1]);
+  }
+  return meshes;
 }
 
 aiMesh* mesh_to(const Mesh& mesh, unsigned material, const std::string& name) {
@@ -144,29 +212,23 @@ fs::path find_mesh(const std::string& name, const fs::path& urdf, const fs::path
                    urdf.string(), name, name.rfind("package://", 0) == 0 ? " and above" : "");
 }
 
-std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale) {
+std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale,
+                              const Eigen::Vector3f& uncoloured) {
   if (!is_file(path)) throw InputError("{}: no such mesh", path.string());
-  Assimp::Importer importer;
-  const aiScene* scene = nullptr;
-  std::string why;
-  try {
-    scene = importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_PreTransformVertices |
-                                                 aiProcess_JoinIdenticalVertices |
-                                                 aiProcess_GenSmoothNormals | aiProcess_SortByPType);
-    why = importer.GetErrorString();
-  } catch (const std::exception& error) {
-    why = error.what();
+  std::error_code ignored;
+  const std::size_t size = fs::file_size(path, ignored);
+  // Damaged files make assimp crash, loop or ask for any amount of memory.
+  const OwnProcess reader{(std::size_t{256} << 20) + 64 * size, static_cast<unsigned>(20 + (size >> 22))};
+  std::vector<Mesh> meshes =
+      unpacked(reader.run(path.string(), [&] { return packed(read_scene(path, uncoloured)); }));
+  const bool inside_out = scale.prod() < 0;
+  for (Mesh& mesh : meshes) {
+    for (Eigen::Vector3f& vertex : mesh.vertices) vertex = vertex.cwiseProduct(scale.cast<float>());
+    for (Eigen::Vector3f& normal : mesh.normals)
+      normal = normal.cwiseQuotient(scale.cast<float>()).normalized();
+    if (inside_out)
+      for (Eigen::Vector3i& t : mesh.triangles) std::swap(t[1], t[2]);
   }
-  if (!scene || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE))
-    throw InputError("{}: not a mesh that can be read: {}", path.string(), why.substr(0, why.find('\n')));
-  std::vector<Mesh> meshes;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) {
-    Mesh mesh = mesh_from(*scene->mMeshes[i], *scene, scale);
-    for (const Eigen::Vector3f& vertex : mesh.vertices)
-      if (!vertex.allFinite()) throw InputError("{}: a vertex is not finite", path.string());
-    if (!mesh.triangles.empty()) meshes.push_back(std::move(mesh));
-  }
-  if (meshes.empty()) throw InputError("{}: holds no triangle", path.string());
   return meshes;
 }
 
@@ -178,7 +240,8 @@ std::vector<std::vector<Mesh>> link_meshes(const RobotModel& model, const fs::pa
       std::vector<Mesh> parts;
       const Eigen::Vector3d& size = visual.size;
       if (visual.kind == Visual::Kind::mesh) {
-        parts = load_meshes(find_mesh(visual.mesh, model.path, folder), scale * size);
+        parts = load_meshes(find_mesh(visual.mesh, model.path, folder), scale * size,
+                            visual.colour.value_or(Mesh().colour));
       } else {
         if (visual.kind == Visual::Kind::box) parts = {rounded_box(size, 0.05 * size.minCoeff())};
         if (visual.kind == Visual::Kind::cylinder)

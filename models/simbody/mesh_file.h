@@ -17,9 +17,11 @@ namespace hbr {
 std::filesystem::path find_mesh(const std::string& name, const std::filesystem::path& urdf,
                                 const std::filesystem::path& folder);
 
-// All triangles of a file, one mesh for each of its materials, multiplied by `scale`. Throws InputError for a
-// file that can't be read or holds no triangle.
-std::vector<Mesh> load_meshes(const std::filesystem::path& path, const Eigen::Vector3d& scale = {1, 1, 1});
+// All triangles of a file, one mesh for each of its materials, multiplied by `scale`; what has no material of
+// its own is `uncoloured`. A glTF's axes stay as they are. Throws InputError for a file that can't be read or
+// holds no triangle.
+std::vector<Mesh> load_meshes(const std::filesystem::path& path, const Eigen::Vector3d& scale = {1, 1, 1},
+                              const Eigen::Vector3f& uncoloured = Mesh().colour);
 
 // What each link looks like, in its own frame; files are found as above and multiplied by `scale`.
 std::vector<std::vector<Mesh>> link_meshes(const RobotModel& model, const std::filesystem::path& folder,
@@ -32,8 +34,8 @@ struct Posed {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
-// Writes a scene; `format` is assimp's: "obj" (with its .mtl beside it), "glb2", ... Throws InputError where
-// that fails.
+// Writes a scene; `format` is assimp's: "obj" (with its .mtl beside it), "glb2", ... A glTF is turned so that
+// y is up, as its viewers expect. Throws InputError where that fails.
 void save_scene(const std::filesystem::path& path, const std::string& format,
                 const std::vector<Posed>& bodies);
 

@@ -4,6 +4,7 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Eigenvalues>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -165,9 +166,7 @@ void link_mimics(RobotModel& model, const urdf::ModelInterface& in, const UrdfOu
   }
 }
 
-}  // namespace
-
-RobotModel load_urdf(const std::filesystem::path& path) {
+RobotModel read_urdf(const std::filesystem::path& path) {
   std::error_code ignored;
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path, ignored))
@@ -196,6 +195,19 @@ RobotModel load_urdf(const std::filesystem::path& path) {
   }
   link_mimics(model, *in, outline);
   return model;
+}
+
+}  // namespace
+
+RobotModel load_urdf(const std::filesystem::path& path) {
+  try {
+    return read_urdf(path);
+  } catch (const InputError& error) {
+    std::string line = error.what();  // names and values of the file may hold anything
+    for (char& c : line)
+      if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
+    throw InputError("{}", line);
+  }
 }
 
 }  // namespace hbr

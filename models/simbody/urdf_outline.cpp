@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "models/simbody/urdf_numbers.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -36,6 +37,7 @@ class Reader {
   UrdfOutline read() {
     read_links();
     read_joints();
+    check_numbers(path_, *robot_);
     return order();
   }
 

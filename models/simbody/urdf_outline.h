@@ -22,7 +22,7 @@ struct UrdfOutline {
 };
 
 // Throws InputError unless `text`, the contents of the file `path`, is a robot whose links are one tree, with
-// names of its own for each and joints of known types.
+// names of its own for each, joints of known types and numbers that are some.
 UrdfOutline read_outline(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace hbr

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numbers>
+
 #include "models/simbody/shapes.h"
 #include "pipeline/core/check.h"
 #include "tests/models/simbody/urdf_text.h"
@@ -31,6 +36,24 @@ TEST(Shapes, HaveTheVolumeOfTheirBodies) {
   EXPECT_NEAR(volume({mirrored(capsule(1, 3))}), volume({capsule(1, 3)}), 1e-5);
 }
 
+// Triangles of a that b does not have, corners in the same order around.
+int unmatched(const Mesh& a, const Mesh& b) {
+  const auto corner = [](const Mesh& mesh, const Eigen::Vector3i& t, int k) {
+    return mesh.vertices[t[k % 3]];
+  };
+  return static_cast<int>(std::ranges::count_if(a.triangles, [&](const Eigen::Vector3i& t) {
+    return std::ranges::none_of(b.triangles, [&](const Eigen::Vector3i& other) {
+      for (int turn = 0; turn < 3; ++turn) {
+        float apart = 0;
+        for (int k = 0; k < 3; ++k)
+          apart = std::max(apart, (corner(a, t, k) - corner(b, other, k + turn)).norm());
+        if (apart < 1e-6f) return true;
+      }
+      return false;
+    });
+  }));
+}
+
 class Formats : public testing::TestWithParam<std::pair<const char*, const char*>> {};
 
 TEST_P(Formats, ComeBackAsTheyWere) {
@@ -41,15 +64,20 @@ TEST_P(Formats, ComeBackAsTheyWere) {
   save_scene(path, format, {{"shape", {shape}}});
   const std::vector<Mesh> back = load_meshes(path);
   ASSERT_EQ(back.size(), 1u);
+  Eigen::Isometry3d up = Eigen::Isometry3d::Identity();
+  if (path.extension() == ".glb" || path.extension() == ".gltf")  // written with y up
+    up.rotate(Eigen::AngleAxisd(-std::numbers::pi / 2, Eigen::Vector3d::UnitX()));
+  EXPECT_EQ(unmatched(moved(shape, up), back[0]), 0);
   EXPECT_EQ(back[0].triangles.size(), shape.triangles.size());
   EXPECT_NEAR(volume(back), volume({shape}), 1e-6);
-  if (std::string(format) != "stlb") {  // which knows no colour
+  if (std::string(name) != "a.stl") {  // which knows no colour
     EXPECT_LT((back[0].colour - shape.colour).norm(), 0.02);
   }
 }
 INSTANTIATE_TEST_SUITE_P(MeshFile, Formats,
                          testing::Values(std::pair{"obj", "a.obj"}, std::pair{"glb2", "a.glb"},
-                                         std::pair{"stlb", "a.stl"}, std::pair{"collada", "a.dae"}));
+                                         std::pair{"gltf2", "a.gltf"}, std::pair{"stlb", "a.stl"},
+                                         std::pair{"stl", "a.stl"}, std::pair{"collada", "a.dae"}));
 
 TEST(MeshFile, ScaleAndMirrorKeepFacesOutward) {
   const TestFolder folder;
@@ -81,33 +109,129 @@ TEST(MeshFile, FindsMeshes) {
   EXPECT_THROW(find_mesh("/z.obj", urdf, ""), InputError);
 }
 
+// A binary STL that says it has `count` triangles and has those of the floats.
+std::string stl(std::uint32_t count, const std::vector<std::array<float, 12>>& triangles) {
+  std::string text(80, ' ');
+  text.append(reinterpret_cast<const char*>(&count), 4);
+  for (const auto& t : triangles) text.append(reinterpret_cast<const char*>(&t), 48).append(2, '\0');
+  return text;
+}
+
+// A glTF of one triangle: its positions and indices are in `uri`, `bytes` long.
+std::string gltf(const std::string& uri, int bytes, int vertices = 3,
+                 const std::string& nodes = "{\"mesh\": 0}") {
+  return fmt::format(
+      R"({{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": [{}],
+          "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1}}]}}],
+          "buffers": [{{"uri": "{}", "byteLength": {}}}],
+          "bufferViews": [{{"buffer": 0, "byteOffset": 0, "byteLength": 36}},
+                          {{"buffer": 0, "byteOffset": 36, "byteLength": 6}}],
+          "accessors": [{{"bufferView": 0, "componentType": 5126, "count": {}, "type": "VEC3"}},
+                        {{"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}}]}})",
+      nodes, uri, bytes, vertices);
+}
+
+// A DAE of one triangle.
+std::string dae(const std::string& count, const std::string& numbers, const std::string& indices,
+                const std::string& nodes = "") {
+  return fmt::format(
+      R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="f" count="{}">{}</float_array><technique_common>
+<accessor source="#f" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
+<param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>{}</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node>{}<instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)",
+      count, numbers, indices, nodes);
+}
+
+std::string repeated(int n, const std::string& text) {
+  std::string result;
+  for (int i = 0; i < n; ++i) result += text;
+  return result;
+}
+
+const std::string kCorners = "0 0 0 1 0 0 0 1 0";
+// Three corners as floats, then 0, 1 and `last` as 16-bit indices.
+std::string buffer(std::uint16_t last) {
+  const float corners[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::uint16_t indices[] = {0, 1, last};
+  return std::string(reinterpret_cast<const char*>(corners), 36) +
+         std::string(reinterpret_cast<const char*>(indices), 6);
+}
+
+// What the bad ones below are made of is good.
+TEST(MeshFile, TakesTheSmallestOfEachFormat) {
+  const TestFolder folder;
+  folder.write("good.bin", buffer(2));
+  for (const auto& path :
+       {folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        folder.write("a.stl", stl(1, {{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}})),
+        folder.write("a.gltf", gltf("good.bin", 42)), folder.write("a.dae", dae("9", kCorners, "0 1 2"))}) {
+    const auto meshes = load_meshes(path, {1, 1, 1}, {.1f, .2f, .3f});
+    ASSERT_EQ(meshes.size(), 1u) << path;
+    EXPECT_EQ(meshes[0].triangles.size(), 1u) << path;
+    if (path.extension() == ".stl" || path.extension() == ".obj") {  // which say no colour
+      EXPECT_EQ(meshes[0].colour, Eigen::Vector3f(.1f, .2f, .3f)) << path;
+    }
+  }
+}
+
 TEST(MeshFile, RefusesWhatIsNoMesh) {
   const TestFolder folder;
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  const std::pair<const char*, std::string> bad[] = {
-      {"empty.obj", ""},
-      {"words.obj", "once upon a time\n"},
-      {"points.obj", triangle},
-      {"index.obj", triangle + "f 1 2 9\n"},
-      {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
-      {"torn.stl", std::string(80, 'x') + "\xff\xff\xff\x7f" + std::string(100, '\0')},
-      {"short.stl", "solid"},
-      {"words.stl", "once upon a time"},
-      {"words.dae", "<COLLADA><library_geometries>"},
-      {"empty.dae", "<?xml version=\"1.0\"?><COLLADA/>"},
-      {"torn.glb", std::string("glTF\x02\0\0\0\xff\xff\xff\x7f", 12)},
-      {"words.glb", "once upon a time"},
-      {"bad.gltf", "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": 3}"},
-      {"picture.png", "\x89PNG\r\n\x1a\n"},
-      {"unknown.xyz", "once"},
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  folder.write("good.bin", buffer(2));
+  folder.write("beyond.bin", buffer(9));
+  struct Bad {
+    std::string name, text, expected;
   };
-  for (const auto& [name, text] : bad) {
+  const std::string not_read = "not a mesh that can be read";
+  const Bad bad[] = {
+      {"empty.obj", "", not_read},
+      {"words.obj", "once upon a time\n", "."},
+      {"points.obj", triangle, "."},
+      {"index.obj", triangle + "f 1 2 9\n", not_read},
+      {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "."},
+      {"infinite.obj", "v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not finite"},
+      {"short.stl", "solid", "."},
+      {"words.stl", "once upon a time", not_read},
+      {"none.stl", stl(0, {}), "."},
+      {"count.stl", stl(7, {{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}}), not_read},
+      {"huge.stl", stl(0x7fffffff, {{0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}}), not_read},
+      {"nan.stl", stl(1, {{0, 0, 1, nan, 0, 0, 1, 0, 0, 0, 1, 0}}), "not finite"},
+      {"words.dae", "<COLLADA><library_geometries>", not_read},
+      {"empty.dae", "<?xml version=\"1.0\"?><COLLADA/>", not_read},
+      {"index.dae", dae("9", kCorners, "0 1 9"), "."},
+      {"few.dae", dae("9", "0 0 0 1 0", "0 1 2"), not_read},
+      {"count.dae", dae("4000000000", kCorners, "0 1 2"), "."},
+      {"deep.dae", dae("9", kCorners, "0 1 2", repeated(200000, "<node>") + repeated(200000, "</node>")),
+       "."},
+      {"torn.glb", std::string("glTF\x02\0\0\0\xff\xff\xff\x7f", 12), not_read},
+      {"words.glb", "once upon a time", not_read},
+      {"bad.gltf", R"({"asset": {"version": "2.0"}, "meshes": 3})", not_read},
+      {"missing.gltf", gltf("missing.bin", 42), "missing.bin"},
+      {"folder.gltf", gltf("../", 42), not_read},
+      {"small.gltf", gltf("good.bin", 42000), not_read},
+      {"index.gltf", gltf("beyond.bin", 42), "."},
+      {"count.gltf", gltf("good.bin", 42, 3000000), not_read},
+      {"circle.gltf", gltf("good.bin", 42, 3, R"({"mesh": 0, "children": [0]})"), not_read},
+      {"deep.gltf", std::string(3000000, '['), "."},
+      {"picture.png", "\x89PNG\r\n\x1a\n", not_read},
+      {"unknown.xyz", "once", not_read},
+  };
+  for (const auto& [name, text, expected] : bad) {
     const auto path = folder.write(name, text);
     try {
       load_meshes(path);
       ADD_FAILURE() << name << " taken without a word";
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(name));
+      EXPECT_THAT(error.what(), testing::StartsWith(path.string() + ": "));
+      EXPECT_THAT(error.what(), testing::ContainsRegex(expected));
       EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("\n")));
     }
   }

@@ -19,7 +19,7 @@ TEST(SixJointArm, AllSixJointsMoveThePen) {
   const Body body(model, model.independent_joints());
   ASSERT_EQ(body.dof(), 6);
   EXPECT_EQ(body.moves(model.link("pen")), std::vector<bool>(6, true));
-  EXPECT_NEAR(body.mass(), 34.5, 1e-12);
+  EXPECT_NEAR(body.mass(), 67.5, 1e-12);
 }
 
 // From its shoulder the pen goes as far as the two arms and the hand are long, and not farther.
@@ -27,7 +27,7 @@ TEST(SixJointArm, ReachesAMetre) {
   const RobotModel model = six_joint_arm();
   const Body body(model, model.independent_joints());
   const int pen = model.link("pen");
-  const Eigen::Vector3d shoulder(0.05, 0, 0.315);
+  const Eigen::Vector3d shoulder(0.05, 0, 0.655);
   // The upper arm forward and all the rest in line with it.
   const double forward[] = {0, std::numbers::pi / 2, -std::numbers::pi / 2, 0, 0, 0};
   const Eigen::Vector3d straight = body.position(pen, forward) - shoulder;

@@ -18,6 +18,10 @@ struct Bad {
 // gtest prints a parameter with this.
 void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
 
+std::string visual(const std::string& more) {
+  return inertial() + "<visual>" + more + "<geometry><sphere radius=\"1\"/></geometry></visual>";
+}
+
 std::string two_links(const std::string& second) { return robot(link("a") + second); }
 
 std::vector<Bad> bad_urdfs() {
@@ -40,6 +44,7 @@ std::vector<Bad> bad_urdfs() {
       {"NamelessLink", robot("<link/>"), "a <link> has no 'name'"},
       {"TwinLinks", robot(link("a") + link("a")), "second link 'a'"},
       {"TwinJoints", robot(ab + link("c") + joint("j", "a", "b") + joint("j", "b", "c")), "second joint 'j'"},
+      {"NameOfTwoLines", robot(ab + joint("j\nk", "a", "b", "ball")), "joint 'j k' has type"},
       {"NamelessJoint", robot(ab + joint("", "a", "b")), "a <joint> has no 'name'"},
       {"UnknownType", robot(ab + joint("j", "a", "b", "ball")), "joint 'j' has type 'ball'.*prismatic"},
       {"Floating", robot(ab + joint("j", "a", "b", "floating")), "type 'floating'"},
@@ -58,7 +63,28 @@ std::vector<Bad> bad_urdfs() {
       {"NoMass", two_links(link("b", inertial("0")) + joint("j", "a", "b")), "link 'b': the mass is 0"},
       {"NegativeMass", two_links(link("b", inertial("-1")) + joint("j", "a", "b")), "the mass is -1"},
       {"MassIsNotANumber", two_links(link("b", inertial("heavy")) + joint("j", "a", "b")), "mass"},
-      {"MassNan", two_links(link("b", inertial("nan")) + joint("j", "a", "b")), "mass"},
+      {"MassNan", two_links(link("b", inertial("nan")) + joint("j", "a", "b")), ":4: value of <mass>.*'nan'"},
+      {"MassWithALetter", two_links(link("b", inertial("1.0abc")) + joint("j", "a", "b")),
+       ":4: value of <mass> in link 'b' is '1.0abc'; expected a number"},
+      {"MassTooLarge", two_links(link("b", inertial("1e999")) + joint("j", "a", "b")), ":4: .*'1e999'"},
+      {"MassOfTwoNumbers", two_links(link("b", inertial("1 2")) + joint("j", "a", "b")), ":4: .*'1 2'"},
+      {"InertiaIncomplete", two_links(link("b", inertial("1", R"(ixx="1" iyy="1")")) + joint("j", "a", "b")),
+       "nertia"},
+      {"InertiaInWords",
+       two_links(link("b", inertial("1", R"(ixx="1" iyy="big" izz="1")")) + joint("j", "a", "b")),
+       ":4: iyy of <inertia> in link 'b' is 'big'"},
+      {"OriginOfTwo", two_links(link("b", visual(R"(<origin xyz="1 2"/>)")) + joint("j", "a", "b")),
+       ":4: xyz of <origin> in link 'b' is '1 2'; expected 3 numbers"},
+      {"OriginOfFour", two_links(link("b", visual(R"(<origin xyz="1 2 3 4"/>)")) + joint("j", "a", "b")),
+       ":4: .*expected 3 numbers"},
+      {"OriginNotFinite", two_links(link("b", visual(R"(<origin xyz="inf 0 0"/>)")) + joint("j", "a", "b")),
+       ":4: xyz of <origin> in link 'b' is 'inf 0 0'"},
+      {"TurnInWords", two_links(link("b", visual(R"(<origin rpy="0 pi 0"/>)")) + joint("j", "a", "b")),
+       ":4: rpy of <origin> in link 'b' is '0 pi 0'"},
+      {"ColourOfThree",
+       two_links(link("b", visual(R"(<material name="m"><color rgba="1 0 0"/></material>)")) +
+                 joint("j", "a", "b")),
+       ":4: rgba of <color> in link 'b' is '1 0 0'; expected 4 numbers"},
       {"NoMassElement", two_links(link("b", "<inertial/>") + joint("j", "a", "b")), "nertial"},
       {"ZeroInertia",
        two_links(link("b", inertial("1", R"(ixx="0" iyy="0" izz="0")")) + joint("j", "a", "b")), "above 0"},
@@ -76,14 +102,26 @@ std::vector<Bad> bad_urdfs() {
       {"LimitIsNotANumber",
        robot(ab +
              joint("j", "a", "b", "revolute", R"(<limit lower="x" upper="1" effort="1" velocity="1"/>)")),
-       "lower"},
+       ":6: lower of <limit> in joint 'j' is 'x'"},
+      {"LimitNotFinite",
+       robot(ab +
+             joint("j", "a", "b", "revolute", R"(<limit lower="-inf" upper="1" effort="1" velocity="1"/>)")),
+       ":6: lower of <limit>.*'-inf'"},
+      {"NoEffort",
+       robot(ab + joint("j", "a", "b", "revolute", R"(<limit lower="0" upper="1" velocity="1"/>)")),
+       "effort"},
+      {"NegativeVelocity",
+       robot(ab +
+             joint("j", "a", "b", "revolute", R"(<limit lower="0" upper="1" effort="1" velocity="-1"/>)")),
+       "velocity -1"},
       {"NegativeEffort",
        robot(ab +
              joint("j", "a", "b", "revolute", R"(<limit lower="0" upper="1" effort="-1" velocity="1"/>)")),
        "effort -1"},
       {"NoAxis", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="0 0 0"/>)" + kLimit)),
        "its axis is 0"},
-      {"AxisOfTwo", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="0 1"/>)" + kLimit)), "xis"},
+      {"AxisOfTwo", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="0 1"/>)" + kLimit)),
+       "xyz of <axis> in joint 'j' is '0 1'; expected 3 numbers"},
       {"MimicsNothing", robot(ab + joint("j", "a", "b", "revolute", R"(<mimic joint="k"/>)" + kLimit)),
        "mimics joint 'k', which is not in the file"},
       {"MimicsItself", robot(ab + joint("j", "a", "b", "revolute", R"(<mimic joint="j"/>)" + kLimit)),
@@ -92,6 +130,35 @@ std::vector<Bad> bad_urdfs() {
        robot(ab + link("c") + joint("k", "a", "b", "fixed") +
              joint("j", "b", "c", "revolute", R"(<mimic joint="k"/>)" + kLimit)),
        "mimics joint 'k', which is fixed"},
+      {"MimicsAMimic",
+       robot(ab + link("c") + link("d") + joint("k", "a", "b") +
+             joint("l", "b", "c", "revolute", R"(<mimic joint="k"/>)" + kLimit) +
+             joint("j", "c", "d", "revolute", R"(<mimic joint="l"/>)" + kLimit)),
+       "joint 'j' mimics joint 'l', which is a mimic joint too"},
+      {"MimicsInWords",
+       robot(ab + link("c") + joint("k", "a", "b") +
+             joint("j", "b", "c", "revolute", R"(<mimic joint="k" multiplier="twice"/>)" + kLimit)),
+       "multiplier of <mimic> in joint 'j' is 'twice'"},
+      {"FixedMimics",
+       robot(ab + link("c") + joint("k", "a", "b") + joint("j", "b", "c", "fixed", R"(<mimic joint="k"/>)")),
+       "'j' is fixed and can't mimic"},
+      {"NegativeRadius",
+       two_links(link("b", "<visual><geometry><sphere radius=\"-1\"/></geometry></visual>") +
+                 joint("j", "a", "b")),
+       "size"},
+      {"ScaleZero",
+       two_links(
+           link("b", R"(<visual><geometry><mesh filename="a.obj" scale="1 0 1"/></geometry></visual>)") +
+           joint("j", "a", "b")),
+       "scale 1, 0, 1"},
+      {"MeshWithoutAName",
+       two_links(link("b", "<visual><geometry><mesh/></geometry></visual>") + joint("j", "a", "b")),
+       "filename"},
+      {"UnknownShape",
+       two_links(link("b", "<visual><geometry><cone radius=\"1\"/></geometry></visual>") +
+                 joint("j", "a", "b")),
+       "cone"},
+      {"Noise", std::string("\x7f\x45\x4c\x46\x02\x01\x00\xff\xfe", 9), "not XML"},
       {"EmptyBox",
        two_links(link("b", inertial() + R"(<visual><geometry><box size="0 1 1"/></geometry></visual>)") +
                  joint("j", "a", "b")),
@@ -121,9 +188,16 @@ TEST_P(BadUrdf, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(Urdf, BadUrdf, testing::ValuesIn(bad_urdfs()),
                          [](const auto& test) { return test.param.name; });
 
-TEST(Urdf, MissingFileIsRefused) {
-  EXPECT_THROW(load_urdf("/nowhere/robot.urdf"), InputError);
-  EXPECT_THROW(load_urdf(std::filesystem::temp_directory_path()), InputError);
+TEST(Urdf, WhatIsNoFileIsRefused) {
+  const TestFolder folder;
+  for (const auto& path : {folder.path() / "missing.urdf", folder.path()}) {
+    try {
+      load_urdf(path);
+      ADD_FAILURE() << path << " taken without a word";
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), testing::StartsWith(path.string() + ": can't be read"));
+    }
+  }
 }
 
 TEST(Urdf, KeepsTheOrderOfTheFile) {
