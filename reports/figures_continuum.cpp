@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
@@ -138,10 +139,14 @@ Figure continuum_figure(const Evidence& evidence) {
   way = shortest_way(way);
   const Walk steps = walk(way, kSteps);
   std::string body;
-  for (std::size_t i = 0; i < way.size(); ++i)
-    body +=
-        svg_text(std::to_string(way[i].label), kEdge + (static_cast<double>(steps.arrives[i]) + 0.5) * kCell,
-                 16, 16, Colour::ink, Align::centre);
+  std::map<std::size_t, std::string> labels;  // classes with the same place share a step
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    std::string& label = labels[steps.arrives[i]];
+    label += (label.empty() ? "" : ", ") + std::to_string(way[i].label);
+  }
+  for (const auto& [step, label] : labels)
+    body += svg_text(label, kEdge + (static_cast<double>(step) + 0.5) * kCell, 16, 16, Colour::ink,
+                     Align::centre);
   double top = kTop;
   for (const char* who : {"hbr", "flat"}) {
     if (!has_drawings(files[0], who)) continue;

@@ -80,8 +80,8 @@ Panel scatter(const std::string& who, const Replications& drawings, const Bounds
     body += svg_text(fmt::format("{:.2f}", tick), kLeft + x(tick), kTop + height + 17, 13, Colour::ink,
                      Align::centre);
   for (double tick = std::ceil(bounds.low * 2) / 2; tick <= bounds.high; tick += 0.5)
-    body +=
-        svg_text(fmt::format("{:.1f}", tick), kLeft - 5, kTop + y(tick) + 5, 13, Colour::ink, Align::right);
+    body += svg_text(fmt::format("{:.1f}", tick + 0.0), kLeft - 5, kTop + y(tick) + 5, 13, Colour::ink,
+                     Align::right);
   body += svg_text("the network’s error per pixel", kLeft + width / 2, kTop + height + 35, 13, Colour::ink,
                    Align::centre);
   return {contender.label + ": the judge’s confidence", {kWidth, kPlotHeight + 60, body}, 3};
