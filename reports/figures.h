@@ -29,6 +29,7 @@ Figure substitution_figure(const Evidence& evidence);  // Fig. transfer a
 Figure transfer_figure(const Evidence& evidence);      // Fig. transfer b
 Figure posture_figure(const Evidence& evidence);       // each robot drawing
 Figure dynamics_figure(const Evidence& evidence);      // digits replayed by servos
+Figure tuned_figure(const Evidence& evidence);         // digits evolved on over the robot
 Figure lines_figure(const Evidence& evidence);         // Fig. res_line a
 Figure arcs_figure(const Evidence& evidence);          // Fig. res_line b
 Figure arc_quality_figure(const Evidence& evidence);   // arcs re-executed from fresh starts

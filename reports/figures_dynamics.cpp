@@ -9,10 +9,8 @@
 #include "pipeline/core/check.h"
 #include "reports/contender.h"
 #include "reports/figures.h"
-#include "reports/format.h"
-#include "reports/html.h"
+#include "reports/gallery.h"
 #include "reports/panels.h"
-#include "reports/picture.h"
 
 namespace hbr {
 namespace {
@@ -57,27 +55,18 @@ std::vector<Digit> read_replays(const std::vector<std::filesystem::path>& files)
   return digits;
 }
 
-// Digits at even ranks of the arm's difference.
-Panel replays_panel(const std::string& title, const std::vector<Digit>& digits) {
-  constexpr std::size_t kColumns = 8;
-  constexpr int kSide = 84;
-  constexpr double kWidth = 500, kEdge = 48, kCell = (kWidth - kEdge) / kColumns;
-  const std::size_t shown = std::min(digits.size(), kColumns);
-  std::string labels;
-  InkSheet sheet(kColumns * kSide, kSide * static_cast<int>(kRows.size()));
-  int rows = 0;
+// Digits at even ranks of the arm's difference; rows that no digit has are left out.
+std::vector<GalleryRow> gallery(const std::vector<Digit>& digits) {
+  const std::size_t shown = std::min(digits.size(), kGalleryColumns);
+  std::vector<GalleryRow> rows;
   for (std::size_t row = 0; row < kRows.size(); ++row) {
     if (digits[0].images[row].empty()) continue;
-    for (std::size_t k = 0; k < shown; ++k) {
-      const Digit& digit = digits[shown == 1 ? 0 : k * (digits.size() - 1) / (shown - 1)];
-      if (!digit.images[row].empty())
-        sheet.place(digit.images[row], (static_cast<double>(k) + 0.5) * kSide, (rows + 0.5) * kSide, kSide);
-    }
-    labels += svg_text(kRows[row].label, 0, (rows + 0.5) * kCell + 4, 13, kRows[row].colour, Align::left);
-    ++rows;
+    rows.push_back({kRows[row].label, kRows[row].colour});
+    for (std::size_t k = 0; k < shown; ++k)
+      rows.back().images.push_back(
+          digits[shown == 1 ? 0 : k * (digits.size() - 1) / (shown - 1)].images[row]);
   }
-  const double height = kRows.size() * kCell;
-  return {title, {kWidth, height, sheet.svg_image(kEdge, 0, kColumns * kCell, height) + labels}, 3};
+  return rows;
 }
 
 // The quantities of that prefix with the greatest medians.
@@ -119,7 +108,7 @@ Figure dynamics_figure(const Evidence& evidence) {
       for (const char* measure : measures) names.push_back(name + measure);
       return names;
     };
-    figure.panels.push_back(replays_panel(robot + ": digits", digits));
+    figure.panels.push_back(gallery_panel(robot + ": digits", gallery(digits)));
     add(of({"wanted_absolute", "arm_absolute", "whole_absolute"}),
         {.title = "difference per pixel", .unit = "% of white against black", .from_zero = true, .span = 3});
     add(of({"arm_rms", "arm_max", "whole_rms", "whole_max"}),

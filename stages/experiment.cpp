@@ -317,6 +317,19 @@ class Experiment {
                                  {"robot", body}}),
           inputs, {robot.urdf});
       inputs.pop_back();  // the judge's verdicts
+      SearchTable longer = p_.layer4.search;
+      longer.generations += p_.tuning.generations;
+      Inputs judged = inputs;
+      judged.insert(judged.end(),
+                    {{"descriptor", own_networks() ? numbered("autoencoder", r) : "descriptor.h5"},
+                     {"dataset", "dataset.h5"},
+                     {"judge", "judge.h5"}});
+      add("robot_tuned", robot.name + "_tuned", r,
+          with(digits_slice(r), {{"length_rate", p_.layer4.length_rate},
+                                 {"search", search(p_.layer4.search, longer)},
+                                 {"tuning", settings_to_json(p_.tuning)},
+                                 {"robot", body}}),
+          judged, {robot.urdf});
       add("robot_dynamics", robot.name + "_dynamics", r,
           with(digits_slice(r), {{"dynamics", settings_to_json(p_.dynamics)}, {"robot", body}}), inputs,
           {robot.urdf});

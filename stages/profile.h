@@ -219,6 +219,7 @@ struct Profile {
   TransferTable transfer;
   RobotPictureTable robot_picture;
   DynamicsTable dynamics;
+  TuningTable tuning;
   std::vector<RobotSettings> robots;
   std::vector<Variation> variations;
 };
@@ -249,6 +250,7 @@ void describe(Fields& f, Profile& s) {
   f.table("transfer", s.transfer, "to the robots below");
   f.table("robot_picture", s.robot_picture, "pictures of the robots below");
   f.table("dynamics", s.dynamics, "of the robots below");
+  f.table("tuning", s.tuning, "of the digits to the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");
   f.tables("variations", s.variations, "other readings, run beside this one");
 }

@@ -1,6 +1,8 @@
 // What a profile says of the experiments with other robots.
 #pragma once
 
+#include <cstdint>
+
 #include "pipeline/artifact/settings.h"
 
 namespace hbr {
@@ -11,6 +13,15 @@ struct TransferTable {
 template <class Fields>
 void describe(Fields& f, TransferTable& s) {
   f.number("starts", s.starts, Range{1, 1e4}, "common starts from which each line and arc is executed");
+}
+
+// How long the digits evolve on.
+struct TuningTable {
+  std::int64_t generations = 0;
+};
+template <class Fields>
+void describe(Fields& f, TuningTable& s) {
+  f.number("generations", s.generations, Range{1, 1e9}, "for which layer 4 goes on over another robot");
 }
 
 // How the digits are replayed by servos.

@@ -30,6 +30,7 @@ std::string family(const Split& name) {
   if (head == "accuracy") return "accuracy";
   if (head == "digits") return "digits";
   if (head == "substitution") return name.subject;
+  if (head == "tuned") return name.subject.substr(0, name.subject.rfind('.'));
   return "";
 }
 
@@ -75,6 +76,7 @@ nlohmann::json collect_statistics(const std::string& profile,
   read_digits(artifacts["digits"], table);
   read_transfer(artifacts["transfer"], table);
   read_dynamics(artifacts["dynamics"], table);
+  read_tuned(artifacts["tuned"], table);
   read_planes(artifacts["plane"], table);
   add_tests(table);
   return table.json();

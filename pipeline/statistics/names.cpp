@@ -41,6 +41,7 @@ constexpr std::array kHeads = {
     Head{"transfer", "transfer", false, true},
     Head{"plane", "drawing plane", false, true},
     Head{"dynamics", "dynamics", false, true},
+    Head{"tuned", "fine-tuning", false, true},
     Head{"picture", "picture", false, true},
 };
 
@@ -226,6 +227,26 @@ std::optional<Meaning> of_dynamics(const std::vector<std::string>& parts) {
   return {};
 }
 
+std::optional<Meaning> of_tuned(const std::vector<std::string>& parts) {
+  if (parts.size() != 4) return {};
+  static constexpr std::array kWhose = {
+      std::pair{"arm", "the arm's digits"},
+      std::pair{"before", "the same by the robot"},
+      std::pair{"after", "the robot's digits when they have evolved on"},
+  };
+  static constexpr std::array kOfTuned = {
+      Entry{"size", "elites", "{}: elites"},
+      Entry{"mean", "fitness", "{}: mean fitness"},
+      Entry{"good", "", "{}: share that the judge calls good"},
+      Entry{"difference", "%",
+            "{}: absolute pixel difference between an arm's digit and the one at its place"},
+  };
+  const auto whose = std::ranges::find(kWhose, parts[2], [](const auto& w) { return std::string(w.first); });
+  const Entry* entry = find_entry(kOfTuned, parts[3]);
+  if (whose == kWhose.end() || !entry || (parts[2] == "arm" && parts[3] == "difference")) return {};
+  return make(*entry, fmt::format("fine-tuning of {}, {}", parts[1], whose->second));
+}
+
 }  // namespace
 
 bool is_search(const std::string& head) {
@@ -281,6 +302,7 @@ std::optional<Meaning> meaning_of(const std::string& name) {
   if (parts[0] == "transfer" && parts.size() == 3)
     if (const Entry* entry = find_entry(kOfTransfer, parts[2]))
       return make(*entry, "transfer to " + parts[1]);
+  if (parts[0] == "tuned") return of_tuned(parts);
   if (parts[0] == "dynamics") return of_dynamics(parts);
   if (parts[0] == "plane" && parts.size() == 3 && parts[2] == "covered")
     return Meaning{"", fmt::format("{}: share of the arm's layer-1 points in its reach", parts[1])};

@@ -114,4 +114,28 @@ void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& tabl
       table.number(name.substr(0, name.rfind('.')) + ".digits", static_cast<double>(values.size()));
 }
 
+void read_tuned(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+  Pooled pooled(table);
+  for (const Artifact& artifact : artifacts) {
+    const Hdf5Reader file(artifact.path);
+    for (const std::string whose : {"arm", "before", "after"}) {
+      const std::string name = artifact.name.prefix() + "." + whose;
+      const std::vector<float> fitness =
+          file.read<float>(whose == "after" ? "objective" : whose + "/objective").values;
+      const std::vector<std::uint8_t> good = file.read<std::uint8_t>(whose + "/good").values;
+      if (fitness.empty() || good.size() != fitness.size())
+        throw InputError("{}: {}/good has {} entries, the fitness {}; expected as many, at least one",
+                         artifact.path.string(), whose, good.size(), fitness.size());
+      const auto n = static_cast<double>(good.size());
+      table.add(name + ".size", artifact.name.replication, n);
+      table.add(name + ".mean", artifact.name.replication,
+                mean(std::vector<double>(fitness.begin(), fitness.end())));
+      table.add(name + ".good", artifact.name.replication,
+                static_cast<double>(std::ranges::count(good, 1)) / n);
+      if (whose != "arm") pooled.add(artifact, file, whose + "/absolute", whose + ".difference", 100);
+    }
+  }
+  pooled.write_boxes();
+}
+
 }  // namespace hbr

@@ -29,6 +29,7 @@ void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& 
 void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_tuned(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 
 }  // namespace hbr

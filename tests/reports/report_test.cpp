@@ -72,7 +72,7 @@ TEST_F(ReportTest, GivesTheSameBytesTwice) {
   EXPECT_TRUE(one == files(folder_ / "two"));
   for (const char* figure :
        {"points", "searches", "autoencoder", "digits", "continuum", "strokes", "judge", "fooling",
-        "substitution", "transfer", "posture", "dynamics", "lines", "arcs", "arc_quality"})
+        "substitution", "transfer", "posture", "dynamics", "tuned", "lines", "arcs", "arc_quality"})
     for (const char* kind : {".svg", ".pdf", ".csv"})
       EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
   EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kClaims);
@@ -113,8 +113,9 @@ TEST_F(ReportTest, SaysWhatIsMissing) {
        {"This run has no layer 1", "This run compared no searches.", "This run trained no autoencoder.",
         "This run has no digits: neither", "in a latent space to walk through", "no digits whose strokes",
         "This run has no digits of both", "No judge has looked", "This run did not exchange layer 1.",
-        "no other robot", "no picture of a robot", "replayed no digit", "This run has no lines",
-        "This run has no arcs", "from fresh starts.", "This run drew no digits.", "No benchmarks are kept"})
+        "no other robot", "no picture of a robot", "replayed no digit", "fine-tuned no digits",
+        "This run has no lines", "This run has no arcs", "from fresh starts.", "This run drew no digits.",
+        "No benchmarks are kept"})
     EXPECT_NE(page.find(sentence), std::string::npos) << sentence;
   EXPECT_TRUE(fs::is_empty(folder_ / "report/figures"));
 }

@@ -90,6 +90,27 @@ class SyntheticPictures {
     file.close();
   }
 
+  // The robot draws the same, each digit at the place of the next.
+  void tuned(int replication, int n) {
+    Rng rng(Seed(5).child(static_cast<std::uint64_t>(replication)));
+    Hdf5Writer file(place("nao_tuned", replication));
+    std::vector<float> absolute;
+    std::vector<std::int32_t> next;
+    for (int i = 0; i < n; ++i) {
+      absolute.push_back(rng.uniform(0, 0.05f));
+      next.push_back((i + 1) % n);
+    }
+    file.write("before/absolute", absolute);
+    file.write("before/nearest", next);
+    file.write("after/nearest", next);
+    for (const char* name : {"arm/image", "before/image", "after/image"}) {
+      Array<std::uint8_t> images{{static_cast<std::size_t>(n), 28, 28}, {}};
+      for (int i = 0; i < n; ++i) append(images.values, draw(i % 10, rng, 0.1f));
+      file.write(name, images);
+    }
+    file.close();
+  }
+
   void autoencoder(int replication, int n) {
     Rng rng(Seed(3).child(static_cast<std::uint64_t>(replication)));
     Array<float> position{{static_cast<std::size_t>(n), 2}, {}}, decoded{{20, 28, 28}, {}};
@@ -162,6 +183,7 @@ class SyntheticPictures {
       strokes(r);
       transfer(r, 100);
       dynamics(r, 12);
+      tuned(r, 12);
       autoencoder(r, 2000);
     }
     posture("nao");

@@ -215,6 +215,29 @@ class SyntheticExperiment {
     }
   }
 
+  void tuned(const std::string& robot, int n) {
+    for (int r = 0; r < replications_; ++r) {
+      Rng rng(Seed(9).child(static_cast<std::uint64_t>(r)));
+      Hdf5Writer file(place(robot + "_tuned", r));
+      for (const auto& [whose, error, share] :
+           {std::tuple{"arm", 0.030f, 0.6f}, std::tuple{"before", 0.034f, 0.5f},
+            std::tuple{"after", 0.028f, 0.65f}}) {
+        const std::string name = whose;
+        std::vector<float> objective, absolute;
+        std::vector<std::uint8_t> good;
+        for (int i = 0; i < n; ++i) {
+          objective.push_back(-error * rng.uniform(0.8f, 1.2f));
+          absolute.push_back(error * rng.uniform());
+          good.push_back(rng.uniform() < share);
+        }
+        file.write(name == "after" ? "objective" : name + "/objective", objective);
+        file.write(name + "/good", good);
+        if (name != "arm") file.write(name + "/absolute", absolute);
+      }
+      file.close();
+    }
+  }
+
   void single(const std::string& name, const std::map<std::string, double>& attributes) {
     const std::filesystem::path path = folder_ / name;
     Hdf5Writer file(path);
@@ -285,6 +308,7 @@ class SyntheticExperiment {
     digits(120, 0.6, 0.35);
     transfer("nao", 100);
     dynamics("nao", 20);
+    tuned("nao", 50);
     single("judge.h5", {{"test_accuracy", 0.99}, {"test_typical", 0.95}, {"random_typical", 0.05}});
     single("nao_plane.h5", {{"covered", 0.998}});
   }

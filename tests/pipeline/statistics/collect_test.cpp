@@ -191,6 +191,19 @@ TEST(Collect, DynamicsOfDigitsAndJoints) {
   }
 }
 
+TEST(Collect, TunedDigitsAreComparedWithThoseBefore) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 3);
+  experiment.tuned("nao", 200);
+  const json found = collect_statistics("tiny", experiment.artifacts());
+  EXPECT_NEAR(found["quantities"]["tuned.nao.before.good"]["median"].get<double>(), 0.5, 0.1);
+  EXPECT_NEAR(found["quantities"]["tuned.nao.after.mean"]["median"].get<double>(), -0.028, 0.001);
+  EXPECT_EQ(found["quantities"]["tuned.nao.arm.size"]["values"], (std::vector<double>{200, 200, 200}));
+  EXPECT_EQ(found["boxes"]["tuned.nao.after.difference"]["n"], 600);
+  EXPECT_EQ(found["tests"]["tuned.nao.after.mean_vs_tuned.nao.before.mean"]["a12"], 1);
+  EXPECT_FALSE(meaning_of("tuned.nao.arm.difference"));
+}
+
 // Measures of the drawings against their definitions, pair by pair.
 TEST(Collect, DigitsAgainstTheirDefinitions) {
   TemporaryFolder folder;
@@ -267,6 +280,10 @@ TEST(Collect, RefusesWhatIsNotAsDescribed) {
   refuses("judge.h5", [](Hdf5Writer&) {});
   refuses("nao_transfer/00.h5", [](Hdf5Writer& f) { f.write("absolute", std::vector<double>{1}); });
   refuses("nao_dynamics/00.h5", [](Hdf5Writer& f) { f.write("duration", std::vector<float>{}); });
+  refuses("nao_tuned/00.h5", [](Hdf5Writer& f) {
+    f.write("arm/objective", std::vector<float>{1});
+    f.write("arm/good", std::vector<std::uint8_t>{1, 0});
+  });
   refuses("digits/00.h5", [](Hdf5Writer& f) {
     f.write("hbr/image", Array<std::uint8_t>{{1, 28, 28}, std::vector<std::uint8_t>(784)});
   });
