@@ -15,10 +15,13 @@ LAUNCH ?=
 DEPS ?= auto
 REP ?=
 BENCH ?=
+URDF ?=
+MESHES ?=
+POSE ?=
 export MNIST_DIR
 
 targets := help deps build data all test bench sanitize coverage format check-format status audit graph reference \
-  verify clean distclean
+  verify robot clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -43,6 +46,8 @@ help:
 	@echo 'make graph           OUT/graph.svg: the stages and what they hand on'
 	@echo 'make verify          compare the finished run in OUT with reports/reference/NAME, NAME as in the profile'
 	@echo 'make reference       keep the finished run in OUT as that reference'
+	@echo 'make robot URDF=FILE what a robot is: joints, mass, reach, a picture and a .glb in OUT (here out/robot);'
+	@echo '                     MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
 	@echo 'make deps, build, data   install what is missing; build the programs; fetch MNIST'
 	@echo 'make clean           remove build/; distclean: out/ and .cache/ (downloads), too'
 	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
@@ -110,6 +115,11 @@ reference: build
 
 verify: build
 	@$(programs)/reference verify '$(OUT)' reports/reference
+
+# Any robot, before it has a place in a profile.
+robot: build/.packages build/release/build.ninja
+	@$(call compile,release,robot)
+	@$(programs)/robot '$(URDF)' '$(if $(filter file,$(origin OUT)),out/robot,$(OUT))' '$(MESHES)' $(POSE)
 
 # Tests and checks -----------------------------------------------------------------------------------------------
 

@@ -232,27 +232,30 @@ std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale
   return meshes;
 }
 
+std::vector<Mesh> visual_meshes(const RobotModel& model, const Link& link, const fs::path& folder,
+                                double scale) {
+  std::vector<Mesh> meshes;
+  for (const Visual& visual : link.visuals) {
+    std::vector<Mesh> parts;
+    const Eigen::Vector3d& size = visual.size;
+    if (visual.kind == Visual::Kind::mesh) {
+      parts = load_meshes(find_mesh(visual.mesh, model.path, folder), scale * size,
+                          visual.colour.value_or(Mesh().colour));
+    } else {
+      if (visual.kind == Visual::Kind::box) parts = {rounded_box(size, 0.05 * size.minCoeff())};
+      if (visual.kind == Visual::Kind::cylinder)
+        parts = {cylinder(size[0], size[2], 0.05 * std::min(size[0], size[2]))};
+      if (visual.kind == Visual::Kind::sphere) parts = {ellipsoid(size)};
+      if (visual.colour) parts[0].colour = *visual.colour;
+    }
+    for (Mesh& part : parts) meshes.push_back(moved(std::move(part), visual.pose));
+  }
+  return meshes;
+}
+
 std::vector<std::vector<Mesh>> link_meshes(const RobotModel& model, const fs::path& folder, double scale) {
   std::vector<std::vector<Mesh>> result;
-  for (const Link& link : model.links) {
-    std::vector<Mesh> meshes;
-    for (const Visual& visual : link.visuals) {
-      std::vector<Mesh> parts;
-      const Eigen::Vector3d& size = visual.size;
-      if (visual.kind == Visual::Kind::mesh) {
-        parts = load_meshes(find_mesh(visual.mesh, model.path, folder), scale * size,
-                            visual.colour.value_or(Mesh().colour));
-      } else {
-        if (visual.kind == Visual::Kind::box) parts = {rounded_box(size, 0.05 * size.minCoeff())};
-        if (visual.kind == Visual::Kind::cylinder)
-          parts = {cylinder(size[0], size[2], 0.05 * std::min(size[0], size[2]))};
-        if (visual.kind == Visual::Kind::sphere) parts = {ellipsoid(size)};
-        if (visual.colour) parts[0].colour = *visual.colour;
-      }
-      for (Mesh& part : parts) meshes.push_back(moved(std::move(part), visual.pose));
-    }
-    result.push_back(std::move(meshes));
-  }
+  for (const Link& link : model.links) result.push_back(visual_meshes(model, link, folder, scale));
   return result;
 }
 

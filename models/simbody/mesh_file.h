@@ -23,7 +23,10 @@ std::filesystem::path find_mesh(const std::string& name, const std::filesystem::
 std::vector<Mesh> load_meshes(const std::filesystem::path& path, const Eigen::Vector3d& scale = {1, 1, 1},
                               const Eigen::Vector3f& uncoloured = Mesh().colour);
 
-// What each link looks like, in its own frame; files are found as above and multiplied by `scale`.
+// What a link looks like, in its own frame; files are found as above and multiplied by `scale`.
+std::vector<Mesh> visual_meshes(const RobotModel& model, const Link& link,
+                                const std::filesystem::path& folder, double scale);
+// Of every link.
 std::vector<std::vector<Mesh>> link_meshes(const RobotModel& model, const std::filesystem::path& folder,
                                            double scale);
 
