@@ -297,7 +297,11 @@ class Experiment {
     if (p_.replications.digits == 0) return;
     const json body = settings_to_json(robot);
     const std::string plane = robot.name + "_plane";
-    add("robot_plane", plane, -1, {{"seed", p_.seed}, {"half_side", p_.half_side}, {"robot", body}},
+    add("robot_plane", plane, -1,
+        {{"seed", p_.seed},
+         {"half_side", p_.half_side},
+         {"robot", body},
+         {"search", settings_to_json(p_.robot_plane)}},
         {{"layer1", numbered("layer1", 0)}}, {robot.urdf});
     for (int r = 0; r < p_.replications.digits; ++r) {
       add("robot_layer1", robot.name + "_layer1", r,

@@ -215,6 +215,7 @@ struct Profile {
   Layer4Table layer4;
   FlatDigitsTable flat_digits;
   ExperimentsTable experiments;
+  PlaneSearchSettings robot_plane;
   LayerTable robot_layer1;
   TransferTable transfer;
   RobotPictureTable robot_picture;
@@ -246,6 +247,7 @@ void describe(Fields& f, Profile& s) {
   f.table("layer4", s.layer4, "digits");
   f.table("flat_digits", s.flat_digits, "digits without a hierarchy");
   f.table("experiments", s.experiments, "what is done with finished layers");
+  f.table("robot_plane", s.robot_plane, "where the robots below draw");
   f.table("robot_layer1", s.robot_layer1, "points of the robots below");
   f.table("transfer", s.transfer, "to the robots below");
   f.table("robot_picture", s.robot_picture, "pictures of the robots below");

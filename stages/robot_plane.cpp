@@ -1,8 +1,12 @@
-// Where a robot draws: a plane of its space on which it reaches what the arm reached (method: transfer).
+// Where a robot draws: the plane of its space on which it reaches what the arm reached, as large as it can
+// (method: transfer).
 #include <fmt/core.h>
 
+#include "models/simbody/missing_part.h"
 #include "models/simbody/plane_file.h"
 #include "models/simbody/refine_plane.h"
+#include "models/simbody/robot_on_plane.h"
+#include "models/simbody/search_plane.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/artifact/stage.h"
 
@@ -13,6 +17,7 @@ struct PlaneStage {
   std::uint64_t seed = 0;
   double half_side = 0;
   RobotSettings robot;
+  PlaneSearchSettings search;
 };
 
 template <class Fields>
@@ -20,12 +25,16 @@ void describe(Fields& f, PlaneStage& s) {
   f.number("seed", s.seed, Range{0, 9e15}, "master seed");
   f.number("half_side", s.half_side, Range{1e-3, 1e3}, "L, m: the arm's drawing area is [-L, L]^2");
   f.table("robot", s.robot, "the robot");
+  f.table("search", s.search, "the search for its plane");
 }
 
 // A tip that needs the last of a joint's range leaves the search of layer 1 few ways to get there.
 constexpr double kMargin = 0.05;
 constexpr int kSamples = 20000;       // starts for inverse kinematics
-constexpr std::size_t kPoints = 400;  // that the plane is fitted to; coverage counts all
+constexpr std::size_t kPoints = 200;  // that the plane is fitted to; coverage counts all
+// While the plane is sought, a point counts as covered within this share of the tolerance: layer 1 needs the
+// rest.
+constexpr double kStrict = 0.1;
 
 std::vector<Eigen::Vector2d> spread(const std::vector<Eigen::Vector2d>& points) {
   std::vector<Eigen::Vector2d> some;
@@ -47,20 +56,28 @@ void run(StageRun& stage) {
   for (Eigen::Index i = 0; i < arm.size(); ++i)
     points.push_back((2 * arm.measures.row(i).transpose().cast<double>().array() - 1) * settings.half_side);
 
-  const RobotOnPlane start = make_robot(settings.robot, settings.robot.plane.plane());
-  const Reach kept_off_limits(start.body(), start.tip(), kSamples, kMargin, seed.child("fit"));
-  const DrawingPlane plane = refine_plane(start, kept_off_limits, spread(points), workers);
+  // It stands nowhere yet.
+  const RobotOnPlane robot = make_robot(settings.robot, DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
+  const SelfCollision collision(robot.body());
+  const ReachMap map(robot.body(), robot.tip(), collision, settings.search.samples, kMargin,
+                     seed.child("map"), workers);
+  const Reach kept_off_limits(robot.body(), robot.tip(), collision, kSamples, kMargin, seed.child("fit"));
+  const double tolerance = settings.robot.off_plane_tolerance;
+  const DrawingPlane plane = find_plane(robot.body(), map, kept_off_limits, spread(points),
+                                        kStrict * tolerance, settings.search, seed.child("search"), workers)
+                                 .plane;
 
-  const RobotOnPlane robot = make_robot(settings.robot, plane);
-  const Reach whole(robot.body(), robot.tip(), kSamples, 0, seed.child("coverage"));
-  const std::vector<double> distances = distances_to_reach(robot, whole, points, workers);
+  const Reach whole(robot.body(), robot.tip(), collision, kSamples, 0, seed.child("coverage"));
+  const std::vector<double> distances = distances_to_reach(plane, whole, points, workers);
 
   Hdf5Writer file(stage.output());
   stage.write_settings(file);
-  const double covered = write_plane(file, plane, points, distances, settings.robot.off_plane_tolerance);
+  const double covered = write_plane(file, plane, points, distances, tolerance);
   file.close();
-  fmt::print(stderr, "{} reaches {:.2f} % of the arm's {} points\n", robot.name(), 100 * covered,
-             points.size());
+  fmt::print(stderr, "{} reaches {:.2f} % of the arm's {} points at {:.3g} times its size\n", robot.name(),
+             100 * covered, points.size(), plane.scale);
+  if (const std::string missing = missing_part(points, distances, tolerance); !missing.empty())
+    fmt::print(stderr, "{} misses {}\n", robot.name(), missing);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "models/simbody/missing_part.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -32,6 +33,7 @@ double write_plane(Hdf5Writer& file, const DrawingPlane& plane, const std::vecto
   }
   file.attribute("scale", plane.scale);
   file.attribute("covered", covered);
+  file.attribute("missing", missing_part(points, distances, tolerance));
   file.write("points", {points.size(), 2}, positions.data());
   file.write("distance", gaps);
   file.write("reached", reached);

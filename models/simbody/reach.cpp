@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include <fmt/ranges.h>
+
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -39,19 +41,23 @@ class TipError final : public ceres::CostFunction {
 
 }  // namespace
 
-Reach::Reach(const Body& body, int tip, int samples, double margin, Seed seed)
-    : body_(body), tip_(tip), lower_(body.lower()), upper_(body.upper()) {
+Reach::Reach(const Body& body, int tip, const SelfCollision& collision, int samples, double margin, Seed seed)
+    : body_(body), tip_(tip), collision_(collision), lower_(body.lower()), upper_(body.upper()) {
   const Eigen::Index dof = body.dof();
   const Eigen::VectorXd kept = margin * (upper_ - lower_);
   lower_ += kept;
   upper_ -= kept;
   Rng rng(seed);
-  joints_.reserve(samples * dof);
-  for (int i = 0; i < samples; ++i)
+  for (int i = 0; i < samples; ++i) {
     for (Eigen::Index k = 0; k < dof; ++k)
       joints_.push_back(lower_[k] + (upper_[k] - lower_[k]) * rng.uniform_double());
-  tips_.resize(samples);
-  body.positions(tip, samples, joints_.data(), tips_.data());
+    if (collision.collides(joints_.data() + joints_.size() - dof)) joints_.resize(joints_.size() - dof);
+  }
+  tips_.resize(joints_.size() / dof);
+  if (tips_.empty())
+    throw InputError("{}: each of {} configurations of {} runs the robot into itself; expected free ones",
+                     body.model().path.string(), samples, fmt::join(body.moving(), ", "));
+  body.positions(tip, static_cast<Eigen::Index>(tips_.size()), joints_.data(), tips_.data());
 }
 
 Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, int starts, double enough) const {
@@ -72,8 +78,9 @@ Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, int starts, double 
   options.function_tolerance = 1e-9;
   options.gradient_tolerance = 1e-12;
   options.parameter_tolerance = 1e-9;
-  Nearest best;
-  double best_distance = std::numeric_limits<double>::infinity();
+  const double* nearest = joints_.data() + order[0] * dof;
+  Nearest best{Eigen::Map<const Eigen::VectorXd>(nearest, dof), target - tips_[order[0]]};
+  double best_distance = best.gap.norm();
   for (int s = 0; s < starts && best_distance > enough; ++s) {
     const auto start = joints_.begin() + order[s] * dof;
     Eigen::VectorXd joints(dof);
@@ -87,7 +94,7 @@ Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, int starts, double 
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
     const Eigen::Vector3d gap = target - body_.position(tip_, joints.data());
-    if (gap.norm() < best_distance) {
+    if (gap.norm() < best_distance && !collision_.collides(joints.data())) {
       best_distance = gap.norm();
       best = {joints, gap};
     }

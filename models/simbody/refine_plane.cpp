@@ -13,9 +13,10 @@ constexpr double kMissed = 5e-5;  // m, root mean square: as bad as a start left
 const Pose kLoose = (Pose() << .02, .02, .02, .1, .1, .05).finished();
 
 Pose pose_of(const DrawingPlane& plane) {
-  const Eigen::Vector3d looks = -plane.normal();
+  // Of u, which is level, so that the azimuth is there also for a plane that is seen from above.
+  const double azimuth = std::atan2(plane.u[0], -plane.u[1]), elevation = -std::asin(plane.normal()[2]);
   Pose pose;
-  pose << plane.origin, std::atan2(looks[1], looks[0]), std::asin(looks[2]), std::log(plane.scale);
+  pose << plane.origin, azimuth, elevation, std::log(plane.scale);
   return pose;
 }
 
@@ -83,9 +84,9 @@ class Missed final : public ceres::CostFunction {
 
 }  // namespace
 
-DrawingPlane refine_plane(const RobotOnPlane& robot, const Reach& reach,
+DrawingPlane refine_plane(const DrawingPlane& plane, const Reach& reach,
                           const std::vector<Eigen::Vector2d>& points, Workers& workers) {
-  const Pose start = pose_of(robot.plane());
+  const Pose start = pose_of(plane);
   Pose pose = start;
   ceres::Problem problem;
   problem.AddResidualBlock(new Missed(reach, points, start, workers), nullptr, pose.data());
@@ -99,11 +100,11 @@ DrawingPlane refine_plane(const RobotOnPlane& robot, const Reach& reach,
   return plane_of(pose);
 }
 
-std::vector<double> distances_to_reach(const RobotOnPlane& robot, const Reach& reach,
+std::vector<double> distances_to_reach(const DrawingPlane& plane, const Reach& reach,
                                        const std::vector<Eigen::Vector2d>& points, Workers& workers) {
   std::vector<double> distances(points.size());
   workers.for_each(points.size(), [&](std::size_t i) {
-    distances[i] = reach.nearest(robot.plane().to_robot(points[i]), 8, 1e-5).gap.norm();
+    distances[i] = reach.nearest(plane.to_robot(points[i]), 8, 1e-5).gap.norm();
   });
   return distances;
 }

@@ -3,22 +3,22 @@
 
 #include <vector>
 
+#include "models/simbody/drawing_plane.h"
 #include "models/simbody/reach.h"
-#include "models/simbody/robot_on_plane.h"
 #include "pipeline/core/parallel.h"
 
 namespace hbr {
 
-// Moves origin, direction and scale of the robot's plane (Ceres, Levenberg-Marquardt) so that the sum of the
+// Moves origin, direction and scale of a plane (Ceres, Levenberg-Marquardt) so that the sum of the
 // squared distances between `points` (drawing frame, m) on the plane and the tip's reach becomes least; the
 // plane's start is a weak prior (2 cm, 0.1 rad, 5 % of the scale weigh as much as a root mean square distance
 // of 0.05 mm). The drawing stays upright (see DrawingPlane::facing). The start must be such a plane.
-DrawingPlane refine_plane(const RobotOnPlane& robot, const Reach& reach,
+DrawingPlane refine_plane(const DrawingPlane& start, const Reach& reach,
                           const std::vector<Eigen::Vector2d>& points, Workers& workers);
 
-// Of each point: the distance in metres of the robot between the point on its plane and the nearest position
+// Of each point: the distance in metres of the robot between the point on the plane and the nearest position
 // of the tip.
-std::vector<double> distances_to_reach(const RobotOnPlane& robot, const Reach& reach,
+std::vector<double> distances_to_reach(const DrawingPlane& plane, const Reach& reach,
                                        const std::vector<Eigen::Vector2d>& points, Workers& workers);
 
 }  // namespace hbr

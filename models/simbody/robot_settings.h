@@ -2,34 +2,26 @@
 #pragma once
 
 #include <map>
-#include <numbers>
 #include <string>
 #include <vector>
 
-#include "models/simbody/drawing_plane.h"
 #include "pipeline/artifact/settings.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
 
-struct PlaneSettings {
-  std::vector<double> origin;
-  double azimuth_deg = 0, elevation_deg = 0, scale = 0;
-
-  DrawingPlane plane() const {
-    if (origin.size() != 3) throw InputError("plane.origin: expected 3 numbers, found {}", origin.size());
-    const double rad = std::numbers::pi / 180;
-    return DrawingPlane::facing({origin[0], origin[1], origin[2]}, azimuth_deg * rad, elevation_deg * rad,
-                                scale);
-  }
+// The search for a robot's drawing plane.
+struct PlaneSearchSettings {
+  int samples = 0;
+  int generations = 0;
+  int refined = 0;
 };
 
 template <class Fields>
-void describe(Fields& f, PlaneSettings& s) {
-  f.numbers("origin", s.origin, Range{-100, 100}, "where the arm's base comes to lie, m, root link's frame");
-  f.number("azimuth_deg", s.azimuth_deg, Range{-180, 180}, "where the robot looks: about z, from x");
-  f.number("elevation_deg", s.elevation_deg, Range{-89, 89}, "where the robot looks: upwards");
-  f.number("scale", s.scale, Range{1e-3, 1e3}, "metres of the robot per metre of the arm");
+void describe(Fields& f, PlaneSearchSettings& s) {
+  f.number("samples", s.samples, Range{1, 1e8}, "configurations that tell where a robot's tip can be");
+  f.number("generations", s.generations, Range{1, 1e6}, "generations of 200 planes each");
+  f.number("refined", s.refined, Range{1, 100}, "planes of the search that are refined");
 }
 
 struct RobotSettings {
@@ -41,7 +33,6 @@ struct RobotSettings {
   std::vector<std::string> rest_joints;
   std::vector<double> rest_positions;
   double off_plane_tolerance = 0;
-  PlaneSettings plane;
 
   std::map<std::string, double> rest() const {
     if (rest_joints.size() != rest_positions.size())
@@ -69,7 +60,6 @@ void describe(Fields& f, RobotSettings& s) {
   f.numbers("rest_positions", s.rest_positions, Range{-100, 100}, "where they are held, rad or m");
   f.number("off_plane_tolerance", s.off_plane_tolerance, Range{1e-9, 1},
            "how far from the plane the pen still draws, metres of the robot");
-  f.table("plane", s.plane, "where the search for the drawing plane begins");
 }
 
 }  // namespace hbr

@@ -1,9 +1,11 @@
-// NAO's drawing plane: it covers the arm's area, and a start that does not is mended.
+// NAO's drawing plane: it is found, it covers the arm's area, and a start that does not is mended.
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "models/simbody/refine_plane.h"
+#include "models/simbody/robot_on_plane.h"
+#include "models/simbody/search_plane.h"
 
 namespace hbr {
 namespace {
@@ -30,10 +32,11 @@ RobotSettings nao() {
 
 double covered(const DrawingPlane& plane, const std::vector<Eigen::Vector2d>& points) {
   const RobotOnPlane robot = make_robot(nao(), plane);
-  const Reach reach(robot.body(), robot.tip(), 20000, 0, Seed(1));
+  const SelfCollision collision(robot.body());
+  const Reach reach(robot.body(), robot.tip(), collision, 20000, 0, Seed(1));
   Workers workers(2);
   double count = 0;
-  for (const double distance : distances_to_reach(robot, reach, points, workers)) count += distance < 1e-3;
+  for (const double distance : distances_to_reach(plane, reach, points, workers)) count += distance < 1e-3;
   return count / double(points.size());
 }
 
@@ -43,14 +46,31 @@ TEST(NaoPlane, RefinementCoversTheArmsArea) {
   Workers workers(2);
   const auto refined = [&](const DrawingPlane& start) {
     const RobotOnPlane robot = make_robot(nao(), start);
-    const Reach reach(robot.body(), robot.tip(), 20000, .05, Seed(2));
-    return refine_plane(robot, reach, fit, workers);
+    const SelfCollision collision(robot.body());
+    const Reach reach(robot.body(), robot.tip(), collision, 20000, .05, Seed(2));
+    return refine_plane(start, reach, fit, workers);
   };
   const DrawingPlane good = DrawingPlane::facing({.143, -.152, .090}, -21.9 * rad, -4 * rad, .258);
   EXPECT_EQ(covered(refined(good), all), 1);
   const DrawingPlane bad = DrawingPlane::facing({.122, -.204, .090}, -39 * rad, -4 * rad, .258);
   EXPECT_LT(covered(bad, all), .9);
   EXPECT_GT(covered(refined(bad), all), .995);
+}
+
+// The best plane known before there was a search: radius 0.150 m, scale 0.258.
+TEST(NaoPlane, SearchFindsOneAsGoodAsTheKnown) {
+  const auto fit = arm_area(.1), all = arm_area(.08);
+  Workers workers(2);
+  const RobotOnPlane robot = make_robot(nao(), DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
+  const SelfCollision collision(robot.body());
+  const ReachMap map(robot.body(), robot.tip(), collision, 200000, .05, Seed(3), workers);
+  const Reach reach(robot.body(), robot.tip(), collision, 20000, .05, Seed(2));
+  const FoundPlane found =
+      find_plane(robot.body(), map, reach, fit, 1.5e-4, {200000, 300, 1}, Seed(4), workers);
+  EXPECT_EQ(found.covered, 1);
+  EXPECT_EQ(covered(found.plane, all), 1);
+  EXPECT_GT(found.plane.scale, .258);
+  EXPECT_LT(found.plane.scale, .275);  // of the disc at NAO's limits: 0.155 m
 }
 
 }  // namespace

@@ -5,8 +5,9 @@
 
 #include "models/simbody/plane_file.h"
 #include "models/simbody/refine_plane.h"
+#include "models/simbody/robot_on_plane.h"
 #include "pipeline/core/check.h"
-#include "tests/models/simbody/urdf_text.h"
+#include "tests/models/simbody/chains.h"
 
 namespace hbr {
 namespace {
@@ -64,28 +65,10 @@ TEST(DrawingPlane, RefusesAFileWithoutAPlane) {
   EXPECT_THROW(load_plane(path), InputError);
 }
 
-// Two links of 1 m that turn about z: the tip reaches every point within 2 m of the origin.
-std::shared_ptr<const Body> two_links() {
-  const TestFolder folder;
-  const auto turning = [](const std::string& name, const std::string& parent, const std::string& child,
-                          double x) {
-    return fmt::format(
-        R"(<joint name="{}" type="revolute"><parent link="{}"/><child link="{}"/><origin xyz="{} 0 0"/>
-                       <axis xyz="0 0 1"/><limit lower="-3.2" upper="3.2" effort="1" velocity="1"/></joint>)",
-        name, parent, child, x);
-  };
-  const auto path = folder.write(
-      "two.urdf",
-      robot(
-          link("base") + link("upper") + link("lower") + link("tip", "") + turning("j", "base", "upper", 0) +
-          turning("k", "upper", "lower", 1) +
-          R"(<joint name="t" type="fixed"><parent link="lower"/><child link="tip"/><origin xyz="1 0 0"/></joint>)"));
-  return std::make_shared<const Body>(load_urdf(path), std::vector<std::string>{"j", "k"});
-}
-
 TEST(Reach, DistanceIsTheOneToTheDisc) {
   const auto body = two_links();
-  const Reach reach(*body, body->model().link("tip"), 500, 0, Seed(2));
+  const SelfCollision nothing(*body);
+  const Reach reach(*body, body->model().link("tip"), nothing, 500, 0, Seed(2));
   Rng rng(Seed(3).child("reach"));
   for (int i = 0; i < 200; ++i) {
     const Eigen::Vector3d target(rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(-1, 1));
@@ -110,20 +93,20 @@ TEST(RobotOnPlane, RefusesWhatDoesNotMoveTheTip) {
 TEST(RefinePlane, ComesNearerToTheReach) {
   const auto body = two_links();
   const DrawingPlane start = DrawingPlane::facing({.3, .2, .05}, .3, .4, 2.5);
-  const RobotOnPlane robot("two", body, "tip", start);
-  const Reach reach(*body, robot.tip(), 500, .01, Seed(4));
+  const SelfCollision nothing(*body);
+  const Reach reach(*body, body->model().link("tip"), nothing, 500, .01, Seed(4));
   std::vector<Eigen::Vector2d> line;
   for (int i = -10; i <= 10; ++i) line.push_back({i / 10., 0});
   const auto worst = [&](const DrawingPlane& plane) {
     Workers one(1);
-    const auto distances = distances_to_reach(RobotOnPlane("two", body, "tip", plane), reach, line, one);
+    const auto distances = distances_to_reach(plane, reach, line, one);
     return *std::max_element(distances.begin(), distances.end());
   };
   Workers one(1), two(2);
-  const DrawingPlane plane = refine_plane(robot, reach, line, one);
+  const DrawingPlane plane = refine_plane(start, reach, line, one);
   EXPECT_GT(worst(start), .5);
   EXPECT_LT(worst(plane), .01);
-  const DrawingPlane again = refine_plane(robot, reach, line, two);
+  const DrawingPlane again = refine_plane(start, reach, line, two);
   EXPECT_EQ(plane.origin, again.origin);
   EXPECT_EQ(plane.u, again.u);
   EXPECT_EQ(plane.scale, again.scale);
