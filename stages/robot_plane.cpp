@@ -2,6 +2,9 @@
 // (method: transfer).
 #include <fmt/core.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "models/simbody/missing_part.h"
 #include "models/simbody/plane_file.h"
 #include "models/simbody/refine_plane.h"
@@ -36,10 +39,17 @@ constexpr std::size_t kPoints = 200;  // that the plane is fitted to; coverage c
 // rest.
 constexpr double kStrict = 0.1;
 
-std::vector<Eigen::Vector2d> spread(const std::vector<Eigen::Vector2d>& points) {
-  std::vector<Eigen::Vector2d> some;
-  const std::size_t n = std::min(kPoints, points.size());
-  for (std::size_t i = 0; i < n; ++i) some.push_back(points[i * points.size() / n]);
+// Half of them the outermost in each direction, where a plane fails first, half over all.
+std::vector<Eigen::Vector2d> some_of(const std::vector<Eigen::Vector2d>& points) {
+  constexpr std::size_t kHalf = kPoints / 2;
+  std::vector<Eigen::Vector2d> some(kHalf, Eigen::Vector2d::Zero());
+  for (const Eigen::Vector2d& p : points) {
+    const double turn = std::atan2(p[1], p[0]) / (2 * std::numbers::pi) + 0.5;  // in [0, 1]
+    Eigen::Vector2d& outermost = some[std::min(static_cast<std::size_t>(turn * kHalf), kHalf - 1)];
+    if (p.squaredNorm() > outermost.squaredNorm()) outermost = p;
+  }
+  for (std::size_t i = 0; i < std::min(kHalf, points.size()); ++i)
+    some.push_back(points[i * points.size() / std::min(kHalf, points.size())]);
   return some;
 }
 
@@ -63,7 +73,7 @@ void run(StageRun& stage) {
                      seed.child("map"), workers);
   const Reach kept_off_limits(robot.body(), robot.tip(), collision, kSamples, kMargin, seed.child("fit"));
   const double tolerance = settings.robot.off_plane_tolerance;
-  const DrawingPlane plane = find_plane(robot.body(), map, kept_off_limits, spread(points),
+  const DrawingPlane plane = find_plane(robot.body(), collision, map, kept_off_limits, some_of(points),
                                         kStrict * tolerance, settings.search, seed.child("search"), workers)
                                  .plane;
 

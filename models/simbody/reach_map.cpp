@@ -9,7 +9,7 @@
 namespace hbr {
 namespace {
 
-constexpr int kCells = 96;  // along the longest side of the box
+constexpr int kCells = 80;  // along the longest side of the box
 constexpr double kNone = 1e12;
 
 // Squared distances along a line of n cells, `step` apart: f[i] becomes min over j of (i - j)^2 + f[j]

@@ -18,20 +18,26 @@ constexpr int kDirections = 24;  // cells of the azimuth, and of the elevation
 constexpr int kBatch = 200;
 constexpr double kSmallest = 1. / 8;  // of the greatest scale
 constexpr double kApart = 20 * std::numbers::pi / 180;
-constexpr double kStep = 1.01;  // of the scale
-constexpr int kSteps = 10;
+constexpr double kLarge = 1.03, kSmall = 1.01;  // steps of the scale
+constexpr int kSteps = 8;
+constexpr double kFull = 0.99;  // share of the points that is as good as all
 
-// 1 for a plane that stands upright, 0.9 for one that lies level: robots turn about level axes, so that many
-// planes are as good as each other, and one of the size that stands upright is more of a board.
-double upright(const DrawingPlane& plane) { return 0.9 + 0.1 * plane.v[2]; }
+double radius_of(const std::vector<Eigen::Vector2d>& points) {
+  double radius = 0;
+  for (const Eigen::Vector2d& p : points) radius = std::max(radius, p.norm());
+  return radius;
+}
 
 class PlaneEvaluator final : public Evaluator {
  public:
-  PlaneEvaluator(const ReachMap& map, const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& eye)
-      : map_(map), points_(points), eye_(eye) {
-    for (const Eigen::Vector2d& p : points) radius_ = std::max(radius_, p.norm());
-    largest_ = map.box().diagonal().norm() / 2 / radius_;
-  }
+  PlaneEvaluator(const ReachMap& map, const SelfCollision& collision,
+                 const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& eye)
+      : map_(map),
+        collision_(collision),
+        points_(points),
+        eye_(eye),
+        radius_(radius_of(points)),
+        largest_(map.box().diagonal().norm() / 2 / radius_) {}
   int descriptor_size() const override { return 2; }
   bool deterministic() const override { return true; }
 
@@ -53,24 +59,26 @@ class PlaneEvaluator final : public Evaluator {
   }
 
  private:
-  // All covered: the scale's share of the greatest, in (0, 1], less where it is not upright. Else minus the
+  // All covered: what it is worth, in (0, 1]. Else minus the
   // share of the points that are missing and minus how far they are on average, in radii of the drawing.
   double fitness(const DrawingPlane& candidate) const {
     double missing = 0, away = 0;
     for (const Eigen::Vector2d& p : points_) {
       const double beyond = map_.distance(candidate.to_robot(p)) - 1.001 * map_.cell();
-      if (beyond <= 0) continue;  // a cell without a sample beside one that has some
+      if (beyond <= 0) continue;  // an empty cell beside a filled one may be for want of samples
       ++missing;
       away += beyond;
     }
-    if (missing == 0) return candidate.scale * upright(candidate) / largest_;
+    if (missing <= (1 - kFull) * static_cast<double>(points_.size()))
+      return plane_worth(candidate, radius_, collision_) / largest_;
     return -(missing + away / (candidate.scale * radius_)) / static_cast<double>(points_.size());
   }
 
   const ReachMap& map_;
+  const SelfCollision& collision_;
   const std::vector<Eigen::Vector2d>& points_;
   Eigen::Vector3d eye_;
-  double radius_ = 0, largest_ = 0;
+  double radius_, largest_;
 };
 
 // Where the robot looks from: the first of the joints that draw.
@@ -83,15 +91,23 @@ Eigen::Vector3d shoulder(const Body& body) {
 
 }  // namespace
 
-bool better(const FoundPlane& a, const FoundPlane& b) {
-  if (a.covered != b.covered) return a.covered > b.covered;
-  return a.plane.scale * upright(a.plane) > b.plane.scale * upright(b.plane);
+double plane_worth(const DrawingPlane& plane, double radius, const SelfCollision& body) {
+  const double upright = 0.5 + 0.5 * plane.v[2];
+  const bool pierced = body.pierces(plane.origin, plane.normal(), plane.scale * radius);
+  return plane.scale * upright * (pierced ? 0.5 : 1);
 }
 
-std::vector<DrawingPlane> search_planes(const ReachMap& map, const std::vector<Eigen::Vector2d>& points,
+bool better(const FoundPlane& a, const FoundPlane& b) {
+  if (const double full = std::min(a.covered, kFull), other = std::min(b.covered, kFull); full != other)
+    return full > other;
+  return a.worth > b.worth;
+}
+
+std::vector<DrawingPlane> search_planes(const ReachMap& map, const SelfCollision& collision,
+                                        const std::vector<Eigen::Vector2d>& points,
                                         const Eigen::Vector3d& eye, int most,
                                         const PlaneSearchSettings& settings, Seed seed, Workers& workers) {
-  const PlaneEvaluator evaluator(map, points, eye);
+  const PlaneEvaluator evaluator(map, collision, points, eye);
   GridArchive archive(kGenes, {2, kDirections, 0, 1});
   UniformSelector selector;
   const PolynomialMutation variation(kGenes, 10, 0.5f);
@@ -118,17 +134,19 @@ std::vector<DrawingPlane> search_planes(const ReachMap& map, const std::vector<E
   return planes;
 }
 
-FoundPlane find_plane(const Body& body, const ReachMap& map, const Reach& reach,
-                      const std::vector<Eigen::Vector2d>& points, double tolerance,
+FoundPlane find_plane(const Body& body, const SelfCollision& collision, const ReachMap& map,
+                      const Reach& reach, const std::vector<Eigen::Vector2d>& points, double tolerance,
                       const PlaneSearchSettings& settings, Seed seed, Workers& workers) {
+  const double radius = radius_of(points);
   const auto measured = [&](const DrawingPlane& plane) {
     const auto distances = distances_to_reach(plane, reach, points, workers);
     const auto near = std::ranges::count_if(distances, [&](double d) { return d <= tolerance; });
-    return FoundPlane{plane, static_cast<double>(near) / static_cast<double>(points.size())};
+    return FoundPlane{plane, static_cast<double>(near) / static_cast<double>(points.size()),
+                      plane_worth(plane, radius, collision)};
   };
   const auto refined = [&](const DrawingPlane& start) {
     const FoundPlane found = measured(start);
-    return found.covered == 1 ? found : measured(refine_plane(start, reach, points, workers));
+    return found.covered >= kFull ? found : measured(refine_plane(start, reach, points, workers));
   };
   const auto scaled = [](DrawingPlane plane, double factor) {
     plane.scale *= factor;
@@ -136,17 +154,16 @@ FoundPlane find_plane(const Body& body, const ReachMap& map, const Reach& reach,
   };
   FoundPlane best;
   for (const DrawingPlane& start :
-       search_planes(map, points, shoulder(body), settings.refined, settings, seed, workers)) {
-    FoundPlane found = refined(start);
-    for (int i = 0; i < kSteps && found.covered < 1; ++i) {
-      const FoundPlane smaller = refined(scaled(found.plane, 1 / kStep));
-      if (!better(smaller, found)) break;
-      found = smaller;
+       search_planes(map, collision, points, shoulder(body), settings.refined, settings, seed, workers)) {
+    FoundPlane smaller = refined(start), found = smaller;
+    for (int i = 0; i < kSteps && found.covered < kFull; ++i) {
+      smaller = refined(scaled(smaller.plane, 1 / kLarge));
+      if (better(smaller, found)) found = smaller;
     }
     if (best.plane.scale == 0 || better(found, best)) best = found;
   }
-  for (const double step : {kStep * kStep * kStep * kStep, kStep})
-    for (int i = 0; i < kSteps && best.covered == 1; ++i) {
+  for (const double step : {kLarge, kSmall})
+    for (int i = 0; i < kSteps && best.covered >= kFull; ++i) {
       const FoundPlane larger = refined(scaled(best.plane, step));
       if (!better(larger, best)) break;
       best = larger;

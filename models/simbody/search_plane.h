@@ -15,26 +15,32 @@ namespace hbr {
 struct FoundPlane {
   DrawingPlane plane{};
   double covered = 0;  // share of the points
+  double worth = 0;    // see below
 };
 
-// Coverage comes first: while a point is missing, fewer missing points are better; between planes that cover
-// all, the larger scale is better, and a plane that lies level must be a tenth larger than one that stands
-// upright.
+// What a plane is worth that covers a drawing of that radius (drawing frame, m): its scale; less where it
+// does not stand upright, down to half where it lies level, since robots turn about level axes and have many
+// planes alike; half of it again where the robot's own body stands in the board.
+double plane_worth(const DrawingPlane& plane, double radius, const SelfCollision& body);
+
+// Coverage comes first: while more than one point in a hundred is missing, fewer are better; between planes
+// that cover so much, what is worth more.
 bool better(const FoundPlane& a, const FoundPlane& b);
 
 // Planes that differ in direction by 20 degrees or more, the best first, at most `most` of them: MAP-Elites
 // (pipeline/qd) over the direction in which the robot looks, of planes in the reach's box at scales from an
 // eighth of the greatest that fits the box upwards. `eye` is where the robot looks from: the planes face it.
-std::vector<DrawingPlane> search_planes(const ReachMap& map, const std::vector<Eigen::Vector2d>& points,
+std::vector<DrawingPlane> search_planes(const ReachMap& map, const SelfCollision& collision,
+                                        const std::vector<Eigen::Vector2d>& points,
                                         const Eigen::Vector3d& eye, int most,
                                         const PlaneSearchSettings& settings, Seed seed, Workers& workers);
 
 // The best plane for `points`, each of which counts as covered where `reach` comes within `tolerance` (m):
-// the best planes of the search above, each refined (refine_plane.h) where a point is missing, and made
-// smaller by steps of 1 % and refined again for as long as that covers more; then the best of them, made
-// larger by steps of 4 % and of 1 % for as long as all stays covered. Deterministic.
-FoundPlane find_plane(const Body& body, const ReachMap& map, const Reach& reach,
-                      const std::vector<Eigen::Vector2d>& points, double tolerance,
+// the best planes of the search above, each refined (refine_plane.h) where points are missing, made smaller
+// by steps of 3 % and refined again until all are covered (but for one in a hundred); then the best of them,
+// made larger by steps of 3 % and of 1 % for as long as that holds. Deterministic.
+FoundPlane find_plane(const Body& body, const SelfCollision& collision, const ReachMap& map,
+                      const Reach& reach, const std::vector<Eigen::Vector2d>& points, double tolerance,
                       const PlaneSearchSettings& settings, Seed seed, Workers& workers);
 
 }  // namespace hbr

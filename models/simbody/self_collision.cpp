@@ -90,6 +90,13 @@ SelfCollision::SelfCollision(const Body& body) : body_(body) {
       if (moved_by[k] != moved_by[l] && !connected(k, l) && !connected(l, k) && !touch({a, b}, poses))
         pairs_.push_back({a, b});
     }
+  for (Capsule capsule : capsules_) {
+    if (std::ranges::count(moved_by[capsule.link], true) > 0) continue;
+    const Eigen::Isometry3d& pose = poses[capsule.link];
+    capsule.middle = pose * capsule.middle;
+    capsule.half = pose.linear() * capsule.half;
+    still_.push_back(capsule);
+  }
 }
 
 bool SelfCollision::touch(const Pair& pair, const std::vector<Eigen::Isometry3d>& poses) const {
@@ -99,6 +106,18 @@ bool SelfCollision::touch(const Pair& pair, const std::vector<Eigen::Isometry3d>
   const double far = a.reach() + b.reach(), near = a.radius + b.radius;
   if ((p - q).squaredNorm() > far * far) return false;
   return squared_distance(p, at.linear() * a.half, q, bt.linear() * b.half) < near * near;
+}
+
+bool SelfCollision::pierces(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal,
+                            double radius) const {
+  return std::ranges::any_of(still_, [&](const Capsule& c) {
+    for (const double t : {-1., 0., 1.}) {
+      const Eigen::Vector3d away = c.middle + t * c.half - centre;
+      const double height = normal.dot(away);
+      if (height < c.radius && (away - height * normal).norm() < radius + c.radius) return true;
+    }
+    return false;
+  });
 }
 
 bool SelfCollision::collides(const double* joints) const {

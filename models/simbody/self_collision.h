@@ -18,6 +18,10 @@ class SelfCollision {
   // joints [dof]. Thread-safe.
   bool collides(const double* joints) const;
 
+  // Whether a link that no moving joint moves comes through a disc or lies behind it; the normal (unit)
+  // points to where the robot should be.
+  bool pierces(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double radius) const;
+
  private:
   // All that is within `radius` of the segment from `middle` - `half` to `middle` + `half`, m.
   struct Capsule {
@@ -35,6 +39,7 @@ class SelfCollision {
   const Body& body_;
   std::vector<Capsule> capsules_;
   std::vector<Pair> pairs_;
+  std::vector<Capsule> still_;  // in the root link's frame
 };
 
 }  // namespace hbr

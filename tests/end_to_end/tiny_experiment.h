@@ -73,6 +73,8 @@ class TinyExperiment {
     profile.set("robot_picture", "height", "150");
     profile.set_everywhere("generations", "20");
     profile.set_everywhere("samples", "3");
+    profile.set("robot_plane", "samples", "20000");
+    profile.set("robot_plane", "refined", "1");
   }
 
   fs::path out(const std::string& name) const { return folder_.path() / name; }
