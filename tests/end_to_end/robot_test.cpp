@@ -1,0 +1,53 @@
+// make robot's program, called as from a shell.
+#include <gmock/gmock.h>
+
+#include "tests/end_to_end/fake_folder.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class RobotProgram : public testing::Test {
+ protected:
+  Outcome robot(const std::string& arguments) const {
+    return shell("cd " HBR_SOURCE_DIR " && " HBR_BINARY_DIR "/bin/robot " + arguments);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
+  const fs::path out = folder_.path() / "out";
+  const Outcome told = robot("models/industrial/six_joint_arm.urdf " + out.string() + " \"\" elbow=0.5");
+  EXPECT_EQ(told.code, 0) << told.text;
+  for (const char* words :
+       {"8 links, 7 joints, of which 6 move", "\nelbow      revolute  upper_arm -> fore_arm",
+        "mass    67.5000 kg", "\nheight  ", "\nreach   1.236 m from joint 'turn' to 'pen'"})
+    EXPECT_THAT(told.text, HasSubstr(words));
+  for (const auto& [name, magic] :
+       {std::pair("six_joint_arm.png", "\x89PNG"), {"six_joint_arm.glb", "glTF"}}) {
+    std::ifstream file(out / name, std::ios::binary);
+    std::string begin(4, ' ');
+    file.read(begin.data(), 4);
+    EXPECT_EQ(begin, magic) << name;
+  }
+}
+
+TEST_F(RobotProgram, RefusesInOneLine) {
+  const std::string out = folder_.path().string(), arm = "models/industrial/six_joint_arm.urdf ";
+  for (const auto& [arguments, words] : {std::pair("\"\" " + out, "expected a URDF and a folder"),
+                                         {"none.urdf " + out, "none.urdf: can"},
+                                         {arm + out + " \"\" elbow=much", "expected JOINT=POSITION"},
+                                         {arm + out + " \"\" knee=1", "no joint"},
+                                         {arm + "/proc/no", "/proc/no: can"}}) {
+    const Outcome told = robot(arguments + " 2>&1 >/dev/null");
+    EXPECT_EQ(told.code, 2) << told.text;
+    EXPECT_THAT(told.text, HasSubstr(words));
+    EXPECT_EQ(std::count(told.text.begin(), told.text.end(), '\n'), 1) << told.text;
+  }
+}
+
+}  // namespace
+}  // namespace hbr
