@@ -62,7 +62,10 @@ std::string shown(const Eigen::Vector3d& v) {
   return fmt::format("{:.4g}, {:.4g}, {:.4g}", v[0], v[1], v[2]);
 }
 
-Inertial inertial(const urdf::Inertial& in, const std::string& where) {
+// Nothing for a mere frame: many programs write one as a body of no mass and no inertia.
+std::optional<Inertial> inertial(const urdf::Inertial& in, const std::string& where) {
+  if (in.mass == 0 && in.ixx == 0 && in.ixy == 0 && in.ixz == 0 && in.iyy == 0 && in.iyz == 0 && in.izz == 0)
+    return {};
   if (!(in.mass > 0) || !std::isfinite(in.mass))
     throw InputError("{}: the mass is {} kg; expected more than 0 (leave <inertial> out for a mere frame)",
                      where, in.mass);
@@ -79,7 +82,7 @@ Inertial inertial(const urdf::Inertial& in, const std::string& where) {
     throw InputError(
         "{}: principal moments of inertia {} kg m^2: no body has one larger than the sum of the other two",
         where, shown(moments));
-  return {in.mass, frame.translation(), frame.linear() * inertia * frame.linear().transpose()};
+  return Inertial{in.mass, frame.translation(), frame.linear() * inertia * frame.linear().transpose()};
 }
 
 Visual visual(const urdf::Visual& in, const std::string& where) {

@@ -200,6 +200,15 @@ TEST(Urdf, WhatIsNoFileIsRefused) {
   }
 }
 
+TEST(Urdf, NoMassAndNoInertiaIsAFrame) {
+  const TestFolder folder;
+  const RobotModel model =
+      load_urdf(folder.write("a.urdf", two_links(link("b", inertial("0.0", R"(ixx="0" iyy="0" izz="0")")) +
+                                                 joint("j", "a", "b", "fixed"))));
+  EXPECT_TRUE(model.links[0].inertial);
+  EXPECT_FALSE(model.links[1].inertial);
+}
+
 TEST(Urdf, KeepsTheOrderOfTheFile) {
   const TestFolder folder;
   const RobotModel model =
