@@ -310,9 +310,15 @@ class Experiment {
                         {"robot", body},
                         {"search", search(p_.robot_layer1, p_.robot_layer1)}}),
           {{"plane", plane + ".h5"}}, {robot.urdf});
+      add("robot_polish", robot.name + "_polish", r,
+          {{"half_side", p_.half_side}, {"spacing", p_.robot_layer1.spacing}, {"robot", body}},
+          {{"plane", plane + ".h5"},
+           {"robot_layer1", numbered(robot.name + "_layer1", r)},
+           {"layer1", numbered("layer1", r)}},
+          {robot.urdf});
       Inputs inputs = hierarchy(r);
       inputs.insert(inputs.end(), {{"plane", plane + ".h5"},
-                                   {"robot_layer1", numbered(robot.name + "_layer1", r)},
+                                   {"robot_layer1", numbered(robot.name + "_polish", r)},
                                    {"layer4", numbered("layer4", r)},
                                    {"digits", numbered("digits", r)}});
       add("robot_transfer", robot.name + "_transfer", r,
@@ -339,9 +345,7 @@ class Experiment {
           {robot.urdf});
     }
 
-    Inputs inputs{{"plane", plane + ".h5"},
-                  {"robot_layer1", numbered(robot.name + "_layer1", 0)},
-                  {"strokes", numbered(robot.name + "_transfer", 0)}};
+    Inputs inputs{{"plane", plane + ".h5"}, {"strokes", numbered(robot.name + "_transfer", 0)}};
     if (robot.meshes == kNaoMeshes) {  // made, not found
       if (std::ranges::find(graph_, kNaoMeshes, &Node::stage) == graph_.end())
         graph_.push_back({kNaoMeshes, kNaoMeshes, -1, kNaoMeshes, json::object(), {}, {}});

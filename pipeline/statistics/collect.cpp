@@ -78,6 +78,7 @@ nlohmann::json collect_statistics(const std::string& profile,
   read_dynamics(artifacts["dynamics"], table);
   read_tuned(artifacts["tuned"], table);
   read_planes(artifacts["plane"], table);
+  read_polish(artifacts["polish"], table);
   add_tests(table);
   return table.json();
 }

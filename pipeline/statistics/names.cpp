@@ -40,6 +40,7 @@ constexpr std::array kHeads = {
     Head{"strokes", "strokes", false, false},
     Head{"transfer", "transfer", false, true},
     Head{"plane", "drawing plane", false, true},
+    Head{"polish", "layer 1 on its plane", false, true},
     Head{"dynamics", "dynamics", false, true},
     Head{"tuned", "fine-tuning", false, true},
     Head{"picture", "picture", false, true},
@@ -129,6 +130,21 @@ constexpr std::array kOfReplays = {
     Entry{"torque", "%", "{}: greatest torque of a digit, of its joint's limit"},
     Entry{"speed", "%", "{}: greatest speed of a digit, of its joint's limit"},
     Entry{"faster", "times", "{}: pace at which a joint reaches a limit, over the profile's"},
+};
+
+// Of a robot's layer 1, before and after it is moved onto its plane.
+constexpr std::array kOfPolish = {
+    Entry{"within_before", "", "{}: share of the arm's layer-1 points with an elite within l, as evolved"},
+    Entry{"within_after", "", "{}: share of the arm's layer-1 points with an elite within l, polished"},
+    Entry{"nearest_before", "l", "{}: median distance from the arm's points to an elite, as evolved"},
+    Entry{"nearest_after", "l", "{}: median distance from the arm's points to an elite, polished"},
+    Entry{"off_plane_before", "mm", "{}: median distance of the elites from the plane, as evolved"},
+    Entry{"off_plane_after", "mm", "{}: median distance of the elites from the plane, polished"},
+    Entry{"distance_before", "mm", "{}: median distance of the elites from their places, as evolved"},
+    Entry{"distance_after", "mm", "{}: median distance of the elites from their places, polished"},
+    Entry{"variance_before", "rad^2", "{}: mean variance of the elites' joints, as evolved"},
+    Entry{"variance_after", "rad^2", "{}: mean variance of the elites' joints, polished"},
+    Entry{"added", "elites", "{}: elites added where the arm had points and the robot none"},
 };
 
 constexpr std::array kSingle = {
@@ -304,6 +320,10 @@ std::optional<Meaning> meaning_of(const std::string& name) {
       return make(*entry, "transfer to " + parts[1]);
   if (parts[0] == "tuned") return of_tuned(parts);
   if (parts[0] == "dynamics") return of_dynamics(parts);
+  if (parts[0] == "polish" && parts.size() == 3)
+    if (const Entry* entry = find_entry(kOfPolish, parts[2])) return make(*entry, parts[1]);
+  if (parts[0] == "plane" && parts.size() == 3 && parts[2] == "scale")
+    return Meaning{"", fmt::format("{}: metres of the robot per metre of the arm", parts[1])};
   if (parts[0] == "plane" && parts.size() == 3 && parts[2] == "covered")
     return Meaning{"", fmt::format("{}: share of the arm's layer-1 points in its reach", parts[1])};
   if (parts[0] == "autoencoder" && parts.size() == 3 && parts[1] == "kept_of_class" && is_number(parts[2]))

@@ -84,7 +84,8 @@ void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& 
 
 void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
   for (const Artifact& artifact : artifacts)
-    table.number(artifact.name.prefix() + ".covered", Hdf5Reader(artifact.path).number_attribute("covered"));
+    for (const char* value : {"covered", "scale"})
+      table.number(artifact.name.prefix() + "." + value, Hdf5Reader(artifact.path).number_attribute(value));
 }
 
 }  // namespace hbr

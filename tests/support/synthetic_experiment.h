@@ -238,6 +238,26 @@ class SyntheticExperiment {
     }
   }
 
+  // Seven elites, one of them added; of ten points three have none within l before, one after.
+  void polish(const std::string& robot) {
+    for (int r = 0; r < replications_; ++r) {
+      Hdf5Writer file(place(robot + "_polish", r));
+      file.attribute("settings.spacing", 0.01);
+      file.write("objective", std::vector<float>(7, -0.4f));
+      for (const auto& [when, apart, away] :
+           {std::tuple{"before", 3, 8e-4f}, std::tuple{"after", 1, 1e-7f}}) {
+        const std::string prefix = std::string(when) + "/";
+        std::vector<float> nearest(10, 0.005f);
+        std::fill_n(nearest.begin(), apart, 0.02f);
+        file.write(prefix + "nearest", nearest);
+        file.write(prefix + "off_plane", std::vector<float>(6, away));
+        file.write(prefix + "distance", std::vector<float>(6, 2 * away));
+        file.write(prefix + "variance", std::vector<float>{.1f, .2f, .3f, .4f, .5f, .6f});
+      }
+      file.close();
+    }
+  }
+
   void single(const std::string& name, const std::map<std::string, double>& attributes) {
     const std::filesystem::path path = folder_ / name;
     Hdf5Writer file(path);
@@ -310,7 +330,8 @@ class SyntheticExperiment {
     dynamics("nao", 20);
     tuned("nao", 50);
     single("judge.h5", {{"test_accuracy", 0.99}, {"test_typical", 0.95}, {"random_typical", 0.05}});
-    single("nao_plane.h5", {{"covered", 0.998}});
+    polish("nao");
+    single("nao_plane.h5", {{"covered", 0.998}, {"scale", 0.26}});
   }
 
  private:

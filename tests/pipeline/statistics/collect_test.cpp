@@ -44,6 +44,28 @@ TEST(Collect, SampleOfTheReportIsUpToDate) {
     for (const auto& [name, value] : found[section].items()) EXPECT_TRUE(meaning_of(name)) << name;
 }
 
+TEST(Collect, PolishBeforeAndAfter) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 2);
+  experiment.polish("nao");
+  const json found = collect_statistics("polish", experiment.artifacts())["quantities"];
+  for (const auto& [name, value] : {std::pair{"within_before", .7},
+                                    {"within_after", .9},
+                                    {"nearest_before", .5},
+                                    {"nearest_after", .5},
+                                    {"off_plane_before", .8},
+                                    {"off_plane_after", 1e-4},
+                                    {"distance_before", 1.6},
+                                    {"distance_after", 2e-4},
+                                    {"variance_before", .35},
+                                    {"variance_after", .35},
+                                    {"added", 1.}}) {
+    const json& quantity = found.at(std::string("polish.nao.") + name);
+    EXPECT_EQ(quantity["n"], 2) << name;
+    EXPECT_NEAR(quantity["median"].get<double>(), value, 1e-6) << name;
+  }
+}
+
 TEST(Collect, NothingComesOfNothing) {
   const json found = collect_statistics("empty", {});
   for (const char* section : {"quantities", "numbers", "tests", "boxes", "curves"})

@@ -19,7 +19,7 @@ TEST(ArtifactName, HasHeadVariantAndReplication) {
         Case{"nao_dynamics/07.h5", "dynamics", "nao", 7},
         Case{"layer2_n10_short/00.h5", "layer2", "n10_short", 0},
         Case{"flat_digits/09.h5", "flat_digits", "", 9}, Case{"judge.h5", "judge", "", -1},
-        Case{"nao_plane.h5", "plane", "nao", -1}}) {
+        Case{"nao_polish/01.h5", "polish", "nao", 1}, Case{"nao_plane.h5", "plane", "nao", -1}}) {
     const ArtifactName parsed = parse_artifact_name(c.name);
     EXPECT_EQ(parsed.head, c.head) << c.name;
     EXPECT_EQ(parsed.variant, c.variant) << c.name;
