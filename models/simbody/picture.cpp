@@ -1,5 +1,6 @@
 #include "models/simbody/picture.h"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -58,7 +59,7 @@ std::vector<Posed> board(const DrawingPlane& plane, double half_side, double flo
 // Its point is on the drawing; it leans from the plane's normal towards the hand's back.
 Posed pen(const Eigen::Isometry3d& hand, const DrawingPlane& plane, const Eigen::Vector3d& point) {
   const Eigen::Vector3d lean = (0.9 * plane.normal() + 0.5 * hand.linear().col(2)).normalized();
-  const double length = enlarged(plane);
+  const double length = std::sqrt(enlarged(plane));  // hands differ less than boards
   // A cone of ink and the pen's body; sizes in metres where `length` is 1.
   const auto turned = [&](double z0, double r0, double z1, double r1, Cap low, Cap high) {
     low.height *= length, high.height *= length;
