@@ -27,6 +27,7 @@ Figure judge_figure(const Evidence& evidence);         // what the classifier sa
 Figure fooling_figure(const Evidence& evidence);       // the network's error against the judge's confidence
 Figure substitution_figure(const Evidence& evidence);  // Fig. transfer a
 Figure transfer_figure(const Evidence& evidence);      // Fig. transfer b
+Figure coverage_figure(const Evidence& evidence);      // the arm's points in robots' reach
 Figure posture_figure(const Evidence& evidence);       // each robot drawing
 Figure dynamics_figure(const Evidence& evidence);      // digits replayed by servos
 Figure tuned_figure(const Evidence& evidence);         // digits evolved on over the robot

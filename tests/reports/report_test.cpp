@@ -70,9 +70,9 @@ TEST_F(ReportTest, GivesTheSameBytesTwice) {
   write_report(content, folder_ / "two");
   const auto one = files(folder_ / "one");
   EXPECT_TRUE(one == files(folder_ / "two"));
-  for (const char* figure :
-       {"points", "searches", "autoencoder", "digits", "continuum", "strokes", "judge", "fooling",
-        "substitution", "transfer", "posture", "dynamics", "tuned", "lines", "arcs", "arc_quality"})
+  for (const char* figure : {"points", "searches", "autoencoder", "digits", "continuum", "strokes", "judge",
+                             "fooling", "substitution", "transfer", "coverage", "posture", "dynamics",
+                             "tuned", "lines", "arcs", "arc_quality"})
     for (const char* kind : {".svg", ".pdf", ".csv"})
       EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
   EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kClaims);
@@ -91,6 +91,7 @@ TEST_F(ReportTest, NeedsNothingFromElsewhere) {
   EXPECT_NE(page.find("1 &lt; 2 &amp; &lt;i&gt;so on&lt;/i&gt;"), std::string::npos);
   for (const char* robot : {"NAO", "NAO, along the stroke", "Six legs", "Six legs, along the stroke"})
     EXPECT_NE(page.find(std::string(">") + robot + "<"), std::string::npos) << robot;
+  EXPECT_NE(page.find("NAO misses the lower left: 10 of 400 points"), std::string::npos);
   // Every id once.
   std::map<std::string, int> ids;
   for (const char quote : {'"', '\''}) {

@@ -177,7 +177,32 @@ class SyntheticPictures {
     artifacts_[robot + "_picture"] = folder;
   }
 
+  // A disc of which the lower left is out of reach, and a layer 1 with a few gaps.
+  void coverage() {
+    std::vector<float> points, reach, before, after;
+    for (int i = 0; i < 400; ++i) {
+      const float x = static_cast<float>(i % 20) / 20, y = static_cast<float>(i / 20) / 20;
+      points.insert(points.end(), {x, y});
+      reach.push_back(x + y < 0.2f ? 0.01f : 0);
+      before.push_back(i % 40 == 0 ? 0.02f : 0.005f);
+      after.push_back(0.005f);
+    }
+    Hdf5Writer plane(artifacts_["nao_plane.h5"] = folder_ / "nao_plane.h5");
+    plane.attribute("settings.robot.off_plane_tolerance", 0.0015);
+    plane.attribute("missing", std::string("the lower left: 10 of 400 points, up to 10 mm away"));
+    plane.write("points", {reach.size(), 2}, points.data());
+    plane.write("distance", reach);
+    plane.close();
+    Hdf5Writer polish(place("nao_polish", 0));
+    polish.attribute("settings.spacing", 0.01);
+    polish.write("arm_points", {reach.size(), 2}, points.data());
+    polish.write("before/nearest", before);
+    polish.write("after/nearest", after);
+    polish.close();
+  }
+
   void everything(int replications) {
+    coverage();
     for (int r = 0; r < replications; ++r) {
       digits(r, 300);
       strokes(r);
