@@ -2,6 +2,7 @@
 // area.
 #include "models/simbody/plane_file.h"
 #include "models/simbody/robot_on_plane.h"
+#include "models/simbody/self_collision.h"
 #include "stages/evolve.h"
 
 namespace {
@@ -21,14 +22,37 @@ void describe(Fields& f, RobotPointsEvolution& s) {
   f.table("search", s.search, "the search");
 }
 
+// Points without the configurations that run the robot into itself.
+class FreePoints final : public hbr::Evaluator {
+ public:
+  FreePoints(const hbr::PointEvaluator& points, const hbr::RobotOnPlane& robot)
+      : points_(points), robot_(robot), collision_(robot.body()) {}
+  int descriptor_size() const override { return points_.descriptor_size(); }
+  bool deterministic() const override { return true; }
+  void evaluate(hbr::Batch& batch, Eigen::Index begin, Eigen::Index end, hbr::Seed seed) const override {
+    points_.evaluate(batch, begin, end, seed);
+    Eigen::VectorXd joints(robot_.dof());
+    for (Eigen::Index i = begin; i < end; ++i) {
+      if (!batch.valid[i]) continue;
+      hbr::decode_joints(robot_, batch.genome.row(i).data(), joints.data());
+      batch.valid[i] = !collision_.collides(joints.data());
+    }
+  }
+
+ private:
+  const hbr::PointEvaluator& points_;
+  const hbr::RobotOnPlane& robot_;
+  hbr::SelfCollision collision_;
+};
+
 void run(hbr::StageRun& stage) {
   const auto s = stage.settings_as<RobotPointsEvolution>();
   const hbr::RobotOnPlane robot = hbr::make_robot(s.robot, hbr::load_plane(stage.input("plane")));
   const hbr::PointEvaluator points(robot, hbr::Frame{s.half_side, 0}, hbr::joint_cost(s.cost),
                                    s.robot.off_plane_tolerance);
 
-  evolve(stage, s.search, hbr::fixed_length(static_cast<int>(robot.dof()), s.search), points,
-         hbr::Seed(s.seed).child(stage.stage()).child(s.replication));
+  evolve(stage, s.search, hbr::fixed_length(static_cast<int>(robot.dof()), s.search),
+         FreePoints(points, robot), hbr::Seed(s.seed).child(stage.stage()).child(s.replication));
 }
 
 }  // namespace
