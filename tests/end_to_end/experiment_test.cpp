@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/drawing/draw.h"
@@ -10,6 +11,8 @@
 namespace hbr {
 namespace {
 
+using nlohmann::json;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -18,9 +21,9 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-// The strokes' pen is where the joints put it, and draws the image of its elite once more.
-void expect_strokes_draw_the_images(const fs::path& out) {
-  const Hdf5Reader strokes(out / "strokes/00.h5"), layer4(out / "layer4/00.h5");
+// The strokes' pen is where the joints put it, and draws the image of its elite once more. Returns which.
+std::vector<std::int64_t> expect_strokes_draw_the_images(const fs::path& out, const fs::path& path) {
+  const Hdf5Reader strokes(path), layer4(out / "layer4/00.h5");
   const Elites digits = read_elites(out / "layer4/00.h5");
   const auto images = layer4.read<std::uint8_t>("image").values;
   const auto label = strokes.read<std::uint8_t>("label").values;
@@ -28,7 +31,7 @@ void expect_strokes_draw_the_images(const fs::path& out) {
   const auto points = strokes.read<std::int32_t>("points").values;
   const auto pen = strokes.read<float>("pen").values, joints = strokes.read<float>("joints").values,
              links = strokes.read<float>("links").values;
-  ASSERT_FALSE(id.empty());
+  EXPECT_FALSE(id.empty());
   EXPECT_TRUE(std::ranges::is_sorted(label));
   std::size_t at = 0;
   for (std::size_t i = 0; i < id.size(); ++i) {
@@ -46,11 +49,49 @@ void expect_strokes_draw_the_images(const fs::path& out) {
         x += links[link] * std::cos(angle);
         y += links[link] * std::sin(angle);
       }
-      ASSERT_NEAR(pen[2 * at], x, 1e-5) << i;
-      ASSERT_NEAR(pen[2 * at + 1], y, 1e-5) << i;
+      EXPECT_NEAR(pen[2 * at], x, 1e-5) << i;
+      EXPECT_NEAR(pen[2 * at + 1], y, 1e-5) << i;
     }
   }
   EXPECT_EQ(2 * at, pen.size());
+  return id;
+}
+
+// Verdicts made up so that the digits to be drawn are known, and are not the first ones.
+void expect_strokes_of_the_surest(const fs::path& out) {
+  const Elites digits = read_elites(out / "layer4/00.h5");
+  const auto n = static_cast<std::size_t>(digits.size());
+  ASSERT_GE(n, 5u);
+  std::vector<std::uint8_t> label(n, 7), good(n, 0);
+  std::vector<float> confidence(n, 0.1f);
+  confidence[1] = 0.8f;                                         // the surest 7, none of which is good
+  label[n - 1] = 2, good[n - 1] = 1, confidence[n - 1] = 0.3f;  // a good 2 comes before surer ones
+  label[n - 2] = 2, confidence[n - 2] = 0.9f;
+  Hdf5Writer verdicts(out / "made_up.h5");
+  verdicts.write("hbr/label", label);
+  verdicts.write("hbr/good", good);
+  verdicts.write("hbr/confidence", confidence);
+  verdicts.close();
+
+  const json settings = json::parse(Hdf5Reader(out / "strokes/00.h5").text_attribute("settings"));
+  std::ofstream(out / "made_up.json") << json{{"stage", "strokes"},
+                                              {"name", "strokes/00"},
+                                              {"settings", settings},
+                                              {"inputs",
+                                               {{"layer1", "layer1/00.h5"},
+                                                {"layer2", "layer2_n10/00.h5"},
+                                                {"layer3", "layer3_b/00.h5"},
+                                                {"layer4", "layer4/00.h5"},
+                                                {"digits", "made_up.h5"}}},
+                                              {"output", "drawn.h5"}};
+  const Outcome outcome =
+      shell("cd " + out.string() +
+            " && " HBR_BINARY_DIR
+            "/bin/strokes --root . --slice made_up.json --output drawn.h5 --checkpoint none --threads 1");
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(expect_strokes_draw_the_images(out, out / "drawn.h5"),
+              ElementsAre(digits.id[n - 1], digits.id[1]));
+  for (const char* made_up : {"made_up.h5", "made_up.json", "drawn.h5"}) fs::remove(out / made_up);
 }
 
 // One test, since all begins with the whole experiment.
@@ -67,7 +108,8 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
     EXPECT_TRUE(others.at(name) == bytes) << name << " differs between one thread and two";
   }
 
-  expect_strokes_draw_the_images(experiment.out("one"));
+  expect_strokes_draw_the_images(experiment.out("one"), experiment.out("one/strokes/00.h5"));
+  expect_strokes_of_the_surest(experiment.out("one"));
 
   // The page says what was found: its templates' fields are filled, no number is undefined.
   const std::string publish = HBR_BINARY_DIR "/bin/publish " + experiment.out("one/page").string() + " " +

@@ -60,6 +60,7 @@ class TinyExperiment {
     profile.set("dataset", "sha256", "[]");
     profile.set("autoencoder", "epochs", "6");
     profile.set("autoencoder", "batch", "10");
+    profile.set("autoencoder", "learning_rate", "1e-4");  // more would press all images into a corner
     profile.set("judge", "training_images", "200");
     profile.set("judge", "bumps", "50");
     profile.set("random_strokes", "images", "50");
