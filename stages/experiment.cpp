@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "models/simbody/find_mesh.h"
 #include "pipeline/artifact/profile.h"
 #include "pipeline/artifact/variations.h"
 #include "pipeline/core/check.h"
@@ -36,6 +37,19 @@ void check_name(const std::string& where, const std::string& table, const std::s
 }
 
 const std::string kStatistics = "statistics.json", kNaoMeshes = "nao_meshes";
+
+// What the pictures of a robot read beside artifacts: the URDF and the meshes that it names. Of a URDF that
+// can't be read only itself: the stages that need it say why, and the rest of the experiment goes on.
+std::vector<std::string> looks_of(const RobotSettings& robot) {
+  std::vector<std::string> sources{robot.urdf};
+  if (robot.meshes == kNaoMeshes) return sources;
+  try {
+    for (const std::filesystem::path& mesh : mesh_files(load_urdf(robot.urdf), robot.meshes))
+      sources.push_back(mesh.string());
+  } catch (const InputError&) {
+  }
+  return sources;
+}
 
 // Cuts the profile: every function adds the runs of one stage, told no more than they depend on.
 class Experiment {
@@ -357,7 +371,7 @@ class Experiment {
                       robot.name + "_picture",
                       {{"half_side", p_.half_side}, {"height", p_.robot_picture.height}, {"robot", body}},
                       inputs,
-                      {robot.urdf}});
+                      looks_of(robot)});
   }
 
   // Everything before, by its own name.

@@ -41,7 +41,33 @@ SimTK::MassProperties mass_properties(const Part& part) {
 struct Body::Plan : Parts {
   int ground = 0;                                          // the part that stands still
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // of it
+  std::string impossible = {};  // why nothing moves by these masses; "" where something can
 };
+
+namespace {
+
+// What keeps the parts from moving by forces, but for the one that stands still. Throws InputError where one
+// has no mass at all.
+std::string impossible(const RobotModel& model, const Parts& parts, int ground) {
+  for (int p = 0; p < static_cast<int>(parts.parts.size()); ++p) {
+    const Part& part = parts.parts[p];
+    if (part.parent >= 0 && !(part.mass > 0))
+      throw InputError("{}: what joint '{}' moves has no mass; give link '{}' an <inertial>",
+                       model.path.string(), model.joints[part.joint].name,
+                       model.links[model.joints[part.joint].child].name);
+  }
+  for (int p = 0; p < static_cast<int>(parts.parts.size()); ++p) {
+    const Part& part = parts.parts[p];
+    // A root without mass moves with what hangs on it.
+    if (p == ground || !(part.mass > 0) || part.fault.kind <= MassFault::Kind::rounded) continue;
+    const int link = part.joint < 0 ? 0 : model.joints[part.joint].child;
+    return fmt::format("{}: link '{}' and what is fixed to it: {}; it can draw, but has no dynamics",
+                       model.path.string(), model.links[link].name, part.fault.why);
+  }
+  return "";
+}
+
+}  // namespace
 
 struct Body::Instance {
   SimTK::MultibodySystem system;
@@ -156,6 +182,7 @@ Body::Body(RobotModel model, std::vector<std::string> moving, const std::map<std
     lower_[static_cast<Eigen::Index>(i)] = joint.lower;
     upper_[static_cast<Eigen::Index>(i)] = joint.upper;
   }
+  plan_->impossible = impossible(model_, *plan_, 0);
   try {
     { const Lease first(*this); }  // what Simbody refuses is told here
     if (!ground.empty()) stand_on(model_.link(ground), rest);
@@ -172,6 +199,7 @@ void Body::stand_on(int link, const std::map<std::string, double>& rest) {
   const Parts::Place place = plan_->places[link];
   plan_->pose = link_poses(posture(rest))[link] * place.pose.inverse();
   plan_->ground = place.part;
+  plan_->impossible = impossible(model_, *plan_, place.part);
   pool_->idle.clear();  // they stand on the root
   const Lease first(*this);
 }
@@ -242,6 +270,7 @@ void Body::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speed
                      const Eigen::Vector3d& gravity, Equations& out) const {
   HBR_CHECK(joints.size() == dof() && speeds.size() == dof(), "joints {}, speeds {}, expected {}",
             joints.size(), speeds.size(), dof());
+  if (!plan_->impossible.empty()) throw InputError("{}", plan_->impossible);
   const Lease instance(*this);
   instance->pose(*plan_, joints.data());
   SimTK::State& state = instance->state;

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <numbers>
 
+#include "models/simbody/find_mesh.h"
 #include "models/simbody/own_process.h"
 #include "models/simbody/shapes.h"
 #include "pipeline/core/check.h"
@@ -17,31 +18,6 @@ namespace hbr {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
-// The name without "scheme://".
-std::string path_part(const std::string& name) {
-  const std::size_t scheme = name.find("://");
-  return scheme == std::string::npos ? name : name.substr(scheme + 3);
-}
-
-// A file below `folder` whose end is the end of `name`: as much of it as possible, then with other endings.
-fs::path below(const fs::path& folder, const fs::path& name) {
-  std::vector<fs::path> parts(name.begin(), name.end());
-  for (std::size_t first = 0; first < parts.size(); ++first) {
-    fs::path path = folder;
-    for (std::size_t i = first; i < parts.size(); ++i)
-      if (parts[i] != "/") path /= parts[i];
-    if (is_file(path)) return path;
-  }
-  for (const char* ending : {".obj", ".dae", ".glb", ".gltf", ".stl", ".STL", ".ply"})
-    if (const fs::path path = folder / (name.stem().string() + ending); is_file(path)) return path;
-  return {};
-}
 
 Eigen::Vector3f vector(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 aiVector3D ai(const Eigen::Vector3f& v) { return {v[0], v[1], v[2]}; }
@@ -192,30 +168,10 @@ T** owned_array(const std::vector<T*>& items) {
 
 }  // namespace
 
-fs::path find_mesh(const std::string& name, const fs::path& urdf, const fs::path& folder) {
-  const fs::path path = path_part(name);
-  if (!folder.empty()) {
-    if (const fs::path found = below(folder, path); !found.empty()) return found;
-    throw InputError("{}: mesh '{}' is missing below the mesh folder {}", urdf.string(), name,
-                     folder.string());
-  }
-  if (path.is_absolute()) {
-    if (is_file(path)) return path;
-    throw InputError("{}: mesh '{}' is missing", urdf.string(), name);
-  }
-  fs::path above = fs::absolute(urdf).parent_path();
-  if (is_file(above / path)) return above / path;
-  if (name.rfind("package://", 0) == 0)
-    for (; above.has_relative_path(); above = above.parent_path())
-      if (is_file(above.parent_path() / path)) return above.parent_path() / path;
-  throw InputError("{}: mesh '{}' is missing, looked beside the URDF{}; name the folder that holds it",
-                   urdf.string(), name, name.rfind("package://", 0) == 0 ? " and above" : "");
-}
-
 std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale,
                               const Eigen::Vector3f& uncoloured) {
-  if (!is_file(path)) throw InputError("{}: no such mesh", path.string());
   std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) throw InputError("{}: no such mesh", path.string());
   const std::size_t size = fs::file_size(path, ignored);
   // Damaged files make assimp crash, loop or ask for any amount of memory.
   const OwnProcess reader{(std::size_t{256} << 20) + 64 * size, static_cast<unsigned>(20 + (size >> 22))};

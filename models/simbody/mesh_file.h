@@ -10,13 +10,6 @@
 
 namespace hbr {
 
-// The file behind a mesh's name in a URDF: below `folder` where one is given (the name's last parts, or a
-// file of the same stem in another format), else beside the URDF (relative, file://, or package://NAME/...
-// with a folder NAME somewhere above the URDF). Throws InputError, naming what was tried, where there is
-// none.
-std::filesystem::path find_mesh(const std::string& name, const std::filesystem::path& urdf,
-                                const std::filesystem::path& folder);
-
 // All triangles of a file, one mesh for each of its materials, multiplied by `scale`; what has no material of
 // its own is `uncoloured`. A glTF's axes stay as they are. Throws InputError for a file that can't be read or
 // holds no triangle.

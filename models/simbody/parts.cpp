@@ -36,14 +36,27 @@ double rest_position(const RobotModel& model, const Joint& joint, const std::map
   return std::clamp(given == rest.end() ? 0 : given->second, joint.lower, joint.upper);
 }
 
+// The inertia that a mass in one point has about the origin.
+Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& c) {
+  return mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+}
+
 // Adds a link's mass, given in the link's frame, to the part's sums (the parallel-axis theorem).
 void add_mass(Part& part, const Inertial& in, const Eigen::Isometry3d& pose) {
   const Eigen::Vector3d c = pose * in.centre;
   const Eigen::Matrix3d turned = pose.linear() * in.inertia * pose.linear().transpose();
-  part.inertia_origin +=
-      turned + in.mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+  part.inertia_origin += turned + point_inertia(in.mass, c);
   part.centre = (part.mass * part.centre + in.mass * c) / (part.mass + in.mass);
   part.mass += in.mass;
+}
+
+// Finds what no body can be, and makes it one that can at least be moved about.
+void judge(Part& part) {
+  const Eigen::Matrix3d about_origin = point_inertia(part.mass, part.centre),
+                        about_centre = part.inertia_origin - about_origin;
+  part.fault = mass_fault(part.mass, part.centre, about_centre);
+  if (part.fault.kind != MassFault::Kind::none)
+    part.inertia_origin = nearest_possible(about_centre) + about_origin;
 }
 
 }  // namespace
@@ -77,11 +90,7 @@ Parts join_parts(const RobotModel& model, const std::vector<std::string>& moving
     if (model.links[i].inertial) add_mass(result.parts[place.part], *model.links[i].inertial, place.pose);
     result.places.push_back(place);
   }
-  for (const Part& part : result.parts)
-    if (part.parent >= 0 && !(part.mass > 0))
-      throw InputError("{}: what joint '{}' moves has no mass; give link '{}' an <inertial>",
-                       model.path.string(), model.joints[part.joint].name,
-                       model.links[model.joints[part.joint].child].name);
+  for (Part& part : result.parts) judge(part);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "models/simbody/masses.h"
 #include "models/simbody/robot_model.h"
 
 namespace hbr {
@@ -19,9 +20,11 @@ struct Part {
   int coordinate = -1;
   double multiplier = 1, offset = 0;
 
-  double mass = 0;                                           // kg
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();          // of mass
-  Eigen::Matrix3d inertia_origin = Eigen::Matrix3d::Zero();  // kg m^2, about the part's origin
+  double mass = 0;                                   // kg
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  // of mass
+  // kg m^2, about the part's origin; the nearest that a body may have where there is a fault.
+  Eigen::Matrix3d inertia_origin = Eigen::Matrix3d::Zero();
+  MassFault fault = {};
 };
 
 struct Parts {

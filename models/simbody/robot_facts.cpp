@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "models/simbody/body.h"
+#include "models/simbody/masses.h"
 #include "models/simbody/shapes.h"
 #include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
@@ -212,6 +213,7 @@ std::vector<std::string> oddities(const RobotModel& model, double size) {
   }
   if (size > 20) add("it is {:.3g} m large: are its lengths or meshes in millimetres?", size);
   if (size < 0.02) add("it is {:.3g} m large: are its meshes in metres already?", size);
+  for (const std::string& line : mass_oddities(model)) odd.push_back(line);
   try {
     Body(model, model.independent_joints());
   } catch (const InputError& error) {

@@ -31,7 +31,8 @@ struct Link {
   std::string name;
   std::optional<Inertial> inertial;
   std::vector<Visual> visuals;
-  int joint = -1;  // the joint it hangs on; -1 for the root
+  int joint = -1;                   // the joint it hangs on; -1 for the root
+  bool weightless_inertia = false;  // its <inertial> has an inertia but no mass: it counts as a frame
 };
 
 struct Joint {
@@ -65,8 +66,9 @@ struct RobotModel {
 
 // Reads and checks a URDF. Throws InputError, with file, line where it is known, what was expected and found,
 // for a file that is missing, not XML or without a robot, a joint type other than revolute, continuous,
-// prismatic and fixed, masses or inertias that no body can have, limits in the wrong order, links that are
-// not one tree, or a mimic joint that follows nothing.
+// prismatic and fixed, a negative mass, a mass or inertia that is not positive of what a joint moves (links
+// that are fixed to each other count together, see masses.h), limits in the wrong order, links that are not
+// one tree, or a mimic joint that follows nothing.
 RobotModel load_urdf(const std::filesystem::path& path);
 
 }  // namespace hbr

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <Eigen/Eigenvalues>
 #include <cctype>
 #include <cmath>
 #include <fstream>
@@ -11,7 +10,7 @@
 #include <mutex>
 #include <numbers>
 
-#include "models/simbody/robot_model.h"
+#include "models/simbody/parts.h"
 #include "models/simbody/urdf_outline.h"
 #include "pipeline/core/check.h"
 
@@ -66,7 +65,7 @@ std::string shown(const Eigen::Vector3d& v) {
 std::optional<Inertial> inertial(const urdf::Inertial& in, const std::string& where) {
   if (in.mass == 0 && in.ixx == 0 && in.ixy == 0 && in.ixz == 0 && in.iyy == 0 && in.iyz == 0 && in.izz == 0)
     return {};
-  if (!(in.mass > 0) || !std::isfinite(in.mass))
+  if (!(in.mass >= 0) || !std::isfinite(in.mass))
     throw InputError("{}: the mass is {} kg; expected more than 0 (leave <inertial> out for a mere frame)",
                      where, in.mass);
   const Eigen::Isometry3d frame = pose(in.origin);
@@ -74,14 +73,6 @@ std::optional<Inertial> inertial(const urdf::Inertial& in, const std::string& wh
   inertia << in.ixx, in.ixy, in.ixz, in.ixy, in.iyy, in.iyz, in.ixz, in.iyz, in.izz;
   if (!inertia.allFinite() || !frame.matrix().allFinite())
     throw InputError("{}: <inertial> holds a number that is not finite", where);
-  const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
-  if (!(moments[0] > 0))
-    throw InputError("{}: principal moments of inertia {} kg m^2; expected all above 0", where,
-                     shown(moments));
-  if (moments[0] + moments[1] < moments[2] * (1 - 1e-9))
-    throw InputError(
-        "{}: principal moments of inertia {} kg m^2: no body has one larger than the sum of the other two",
-        where, shown(moments));
   return Inertial{in.mass, frame.translation(), frame.linear() * inertia * frame.linear().transpose()};
 }
 
@@ -169,6 +160,26 @@ void link_mimics(RobotModel& model, const urdf::ModelInterface& in, const UrdfOu
   }
 }
 
+// What a joint moves has a mass and inertia above 0, or none at all: then it must not be moved.
+void check_masses(const RobotModel& model, const UrdfOutline& outline) {
+  const Parts parts = join_parts(model, model.independent_joints(), {});
+  for (std::size_t p = 1; p < parts.parts.size(); ++p) {
+    const Part& part = parts.parts[p];
+    if (part.fault.kind != MassFault::Kind::not_positive) continue;
+    int first = -1, others = -1;  // of the part's links with an <inertial>
+    for (int i = static_cast<int>(model.links.size()) - 1; i >= 0; --i)
+      if (parts.places[i].part == static_cast<int>(p) &&
+          (model.links[i].inertial || model.links[i].weightless_inertia)) {
+        first = i;
+        ++others;
+      }
+    if (first < 0) continue;
+    throw InputError("{}:{}: link '{}'{}: {} (leave <inertial> out for a mere frame)", model.path.string(),
+                     outline.links[first].line, model.links[first].name,
+                     others ? " and what is fixed to it" : "", part.fault.why);
+  }
+}
+
 RobotModel read_urdf(const std::filesystem::path& path) {
   std::error_code ignored;
   std::ifstream file(path, std::ios::binary);
@@ -185,6 +196,10 @@ RobotModel read_urdf(const std::filesystem::path& path) {
     const urdf::LinkConstSharedPtr link = in->getLink(name);
     Link out{name, {}, {}, static_cast<int>(i) - 1};
     if (link->inertial) out.inertial = inertial(*link->inertial, where);
+    if (out.inertial && out.inertial->mass == 0) {
+      out.weightless_inertia = true;
+      out.inertial.reset();
+    }
     for (const auto& shape : link->visual_array) out.visuals.push_back(visual(*shape, where));
     model.links.push_back(std::move(out));
   }
@@ -197,6 +212,7 @@ RobotModel read_urdf(const std::filesystem::path& path) {
     model.joints.push_back(std::move(out));
   }
   link_mimics(model, *in, outline);
+  check_masses(model, outline);
   return model;
 }
 

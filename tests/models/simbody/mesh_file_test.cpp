@@ -87,28 +87,6 @@ TEST(MeshFile, ScaleAndMirrorKeepFacesOutward) {
   EXPECT_NEAR(volume(load_meshes(folder.path() / "a.obj", {1, -1, 1})), once, 1e-6);
 }
 
-TEST(MeshFile, FindsMeshes) {
-  const TestFolder folder;
-  const auto& at = folder.path();
-  std::filesystem::create_directories(at / "pack/urdf/meshes");
-  std::filesystem::create_directories(at / "pack/meshes");
-  std::filesystem::create_directories(at / "mine/meshes");
-  const auto urdf = at / "pack/urdf/a.urdf";
-  folder.write("pack/urdf/meshes/b.obj", "");
-  folder.write("pack/meshes/c.obj", "");
-  folder.write("mine/d.dae", "");
-  folder.write("mine/meshes/e.obj", "");
-  EXPECT_EQ(find_mesh("meshes/b.obj", urdf, ""), at / "pack/urdf/meshes/b.obj");
-  EXPECT_EQ(find_mesh("package://pack/meshes/c.obj", urdf, ""), at / "pack/meshes/c.obj");
-  EXPECT_EQ(find_mesh("file://" + (at / "pack/meshes/c.obj").string(), urdf, ""), at / "pack/meshes/c.obj");
-  EXPECT_EQ(find_mesh("package://other/meshes/e.obj", urdf, at / "mine"), at / "mine/meshes/e.obj");
-  EXPECT_EQ(find_mesh("meshes/d.obj", urdf, at / "mine"), at / "mine/d.dae");
-  EXPECT_THROW(find_mesh("meshes/c.obj", urdf, ""), InputError);
-  EXPECT_THROW(find_mesh("package://pack/meshes/z.obj", urdf, ""), InputError);
-  EXPECT_THROW(find_mesh("meshes/b.obj", urdf, at / "mine"), InputError);
-  EXPECT_THROW(find_mesh("/z.obj", urdf, ""), InputError);
-}
-
 // A binary STL that says it has `count` triangles and has those of the floats.
 std::string stl(std::uint32_t count, const std::vector<std::array<float, 12>>& triangles) {
   std::string text(80, ' ');

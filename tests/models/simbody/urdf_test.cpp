@@ -90,9 +90,15 @@ std::vector<Bad> bad_urdfs() {
        two_links(link("b", inertial("1", R"(ixx="0" iyy="0" izz="0")")) + joint("j", "a", "b")), "above 0"},
       {"NegativeInertia",
        two_links(link("b", inertial("1", R"(ixx="1" iyy="-1" izz="1")")) + joint("j", "a", "b")), "above 0"},
-      {"TriangleInequality",
-       two_links(link("b", inertial("1", R"(ixx="1" iyy="1" izz="2.5")")) + joint("j", "a", "b")),
-       "larger than the sum"},
+      {"ZeroInertiaOfARod",
+       two_links(link("b", inertial("1", R"(ixx="0" iyy="1" izz="1")")) + joint("j", "a", "b")), "above 0"},
+      {"NegativeMassFixed", two_links(link("b", inertial("-0.1")) + joint("j", "a", "b", "fixed")),
+       "link 'b': the mass is -0.1"},
+      {"NoInertiaOfAllThatMoves",
+       two_links(link("b", inertial("1", R"(ixx="0" iyy="0" izz="0")")) +
+                 link("c", inertial("1", R"(ixx="0" iyy="0" izz="0")")) + joint("j", "a", "b") +
+                 joint("k", "b", "c", "fixed")),
+       "link 'b' and what is fixed to it: principal moments.*above 0"},
       {"LimitsCrossed",
        robot(ab +
              joint("j", "a", "b", "revolute", R"(<limit lower="1" upper="-1" effort="1" velocity="1"/>)")),
