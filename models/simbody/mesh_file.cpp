@@ -1,6 +1,7 @@
 #include "models/simbody/mesh_file.h"
 
 #include <assimp/GltfMaterial.h>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -53,6 +54,8 @@ Mesh mesh_from(const aiMesh& in, const aiScene& scene, const Eigen::Vector3f& un
 // What assimp finds in a file. Throws InputError, without the file's name, where that is no mesh.
 std::vector<Mesh> read_scene(const fs::path& path, const Eigen::Vector3f& uncoloured) {
   Assimp::Importer importer;
+  // A URDF's meshes are in their link's axes: like other readers of URDFs, we leave a DAE's <up_axis> alone.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene =
       importer.ReadFile(path.string(), aiProcess_ValidateDataStructure | aiProcess_Triangulate |
                                            aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices |

@@ -11,8 +11,8 @@
 namespace hbr {
 
 // All triangles of a file, one mesh for each of its materials, multiplied by `scale`; what has no material of
-// its own is `uncoloured`. A glTF's axes stay as they are. Throws InputError for a file that can't be read or
-// holds no triangle.
+// its own is `uncoloured`. The axes of a glTF and of a DAE stay as they are; a DAE's <unit> counts. Throws
+// InputError for a file that can't be read or holds no triangle.
 std::vector<Mesh> load_meshes(const std::filesystem::path& path, const Eigen::Vector3d& scale = {1, 1, 1},
                               const Eigen::Vector3f& uncoloured = Mesh().colour);
 

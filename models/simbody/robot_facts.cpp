@@ -152,12 +152,14 @@ std::vector<ChainReach> chain_reaches(const RobotModel& model) {
 std::vector<std::vector<Mesh>> visible_links(const RobotModel& model, const std::filesystem::path& folder,
                                              double scale, std::vector<std::string>& odd) {
   std::vector<std::vector<Mesh>> meshes(model.links.size());
+  std::vector<bool> lost(model.links.size());
   bool any = false;
   int failed = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     try {
       meshes[i] = visual_meshes(model, model.links[i], folder, scale);
     } catch (const InputError& error) {
+      lost[i] = true;
       if (++failed == 1) odd.emplace_back(error.what());
     }
     any = any || !meshes[i].empty();
@@ -168,8 +170,7 @@ std::vector<std::vector<Mesh>> visible_links(const RobotModel& model, const std:
   for (const Joint& joint : model.joints) length = std::max(length, joint.origin.translation().norm());
   const double radius = length > 0 ? 0.06 * length : 0.05;
   for (std::size_t i = 0; i < model.links.size(); ++i)
-    if (meshes[i].empty() && (!any || model.links[i].inertial))
-      meshes[i] = rods(model, static_cast<int>(i), radius);
+    if (!any || lost[i]) meshes[i] = rods(model, static_cast<int>(i), radius);
   return meshes;
 }
 
@@ -204,7 +205,7 @@ std::vector<std::string> oddities(const RobotModel& model, double size) {
     const Eigen::Vector3d moments =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(link.inertial->inertia).eigenvalues();
     const double gyration = std::sqrt(moments[2] / link.inertial->mass);
-    if (gyration > size || gyration < 1e-3 * size)
+    if (gyration > size || (gyration > 0 && gyration < 1e-3 * size))
       add("link '{}': {:.3g} kg with the inertia of a body of about {:.2g} m", link.name, link.inertial->mass,
           2 * gyration);
     if (link.inertial->centre.norm() > size)

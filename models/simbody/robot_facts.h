@@ -20,9 +20,8 @@ struct ChainReach {
 };
 std::vector<ChainReach> chain_reaches(const RobotModel& model);
 
-// What each link looks like, in its frame. Where meshes can't be had `odd` says so, of the first one why; a
-// link with mass that shows nothing then, and every link of a robot that shows nothing at all, is drawn as
-// rods between its joints.
+// What each link looks like, in its frame. Where meshes can't be had `odd` says so, of the first one why;
+// such a link, and every link of a robot that shows nothing at all, is drawn as rods between its joints.
 std::vector<std::vector<Mesh>> visible_links(const RobotModel& model, const std::filesystem::path& folder,
                                              double scale, std::vector<std::string>& odd);
 

@@ -1,6 +1,8 @@
 // What a robot looks like is part of its picture's key: the URDF and every mesh that it names.
 #include <gmock/gmock.h>
 
+#include <fmt/format.h>
+
 #include <fstream>
 
 #include "pipeline/artifact/freshness.h"

@@ -111,10 +111,10 @@ std::string gltf(const std::string& uri, int bytes, int vertices = 3,
 
 // A DAE of one triangle.
 std::string dae(const std::string& count, const std::string& numbers, const std::string& indices,
-                const std::string& nodes = "") {
+                const std::string& nodes = "", const std::string& asset = "") {
   return fmt::format(
       R"(<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">{}
 <library_geometries><geometry id="g"><mesh>
 <source id="p"><float_array id="f" count="{}">{}</float_array><technique_common>
 <accessor source="#f" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/>
@@ -124,7 +124,7 @@ std::string dae(const std::string& count, const std::string& numbers, const std:
 </mesh></geometry></library_geometries>
 <library_visual_scenes><visual_scene id="s"><node>{}<instance_geometry url="#g"/></node></visual_scene>
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)",
-      count, numbers, indices, nodes);
+      asset, count, numbers, indices, nodes);
 }
 
 std::string repeated(int n, const std::string& text) {
@@ -156,6 +156,21 @@ TEST(MeshFile, TakesTheSmallestOfEachFormat) {
     if (path.extension() == ".stl" || path.extension() == ".obj") {  // which say no colour
       EXPECT_EQ(meshes[0].colour, Eigen::Vector3f(.1f, .2f, .3f)) << path;
     }
+  }
+}
+
+// A link's mesh stands as its numbers say whatever is up elsewhere; its unit counts.
+TEST(MeshFile, TakesTheUnitOfADaeAndNotItsUpAxis) {
+  const TestFolder folder;
+  for (const char* up : {"X_UP", "Y_UP", "Z_UP"}) {
+    const auto path = folder.write(
+        "a.dae", dae("9", "0 0 0 1 0 0 0 0 2", "0 1 2", "",
+                     fmt::format("<asset><unit meter=\"0.01\"/><up_axis>{}</up_axis></asset>", up)));
+    const std::vector<Mesh> meshes = load_meshes(path);
+    Eigen::AlignedBox3f box;
+    for (const Eigen::Vector3f& vertex : meshes.at(0).vertices) box.extend(vertex);
+    EXPECT_LT((box.max() - Eigen::Vector3f(.01f, 0, .02f)).norm(), 1e-7f) << up;
+    EXPECT_LT(box.min().norm(), 1e-7f) << up;
   }
 }
 

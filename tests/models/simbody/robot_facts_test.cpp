@@ -103,6 +103,11 @@ TEST(RobotFacts, RodsStandForWhatCannotBeSeen) {
   EXPECT_THAT(odd, ElementsAre(HasSubstr("mesh 'no.obj' is missing"), HasSubstr("1 more link")));
   EXPECT_EQ(some[1].size(), 2u);
   EXPECT_TRUE(some[3].empty());
+  // A sensor of some mass that shows nothing is left so.
+  odd.clear();
+  const auto sensor = visible_links(load(link("a", box) + link("b") + at(.5, "j", "a", "b", "")), "", 1, odd);
+  EXPECT_THAT(odd, ElementsAre());
+  EXPECT_TRUE(sensor[1].empty());
 }
 
 }  // namespace
