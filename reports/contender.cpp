@@ -53,7 +53,8 @@ constexpr std::array kContenders = {
     Row{"arc_length", "arc,\nlength", Colour::orange},
     Row{"arm", "arm", Colour::blue},
     Row{"before", "before", Colour::vermilion},
-    Row{"after", "after", Colour::green},
+    Row{"top", "layer 4", Colour::orange},
+    Row{"all", "all", Colour::green},
     Row{"wanted_absolute", "asked", Colour::grey},
     Row{"arm_absolute", "arm", Colour::blue},
     Row{"whole_absolute", "body", Colour::orange},
@@ -103,6 +104,10 @@ Contender contender(const std::string& name) {
   if (const std::size_t dot = name.rfind('.');
       dot != std::string::npos && name.substr(0, dot).ends_with("_of"))
     return {name, in_two_lines(name.substr(dot + 1)), Colour::green};
+  // The arm in a robot's place, the control of the fine-tuning: "tuned.arm.top.gain".
+  if (name.starts_with("tuned.arm.") && who)
+    return {name, name.starts_with("tuned.arm.before") ? "arm" : fmt::format("arm,\n{}", who->label),
+            Colour::blue};
   return who ? Contender{name, who->label, who->colour} : Contender{name, name, Colour::grey};
 }
 

@@ -9,6 +9,7 @@
 #include "pipeline/core/check.h"
 #include "reports/contender.h"
 #include "reports/figures.h"
+#include "reports/format.h"
 #include "reports/html.h"
 #include "reports/picture.h"
 
@@ -58,6 +59,20 @@ void add_map(Figure& figure, const std::filesystem::path& path, const std::strin
   }
 }
 
+// " NAO reaches 100 %, has 98.7 % within l as evolved, 100 % moved."
+std::string shares_within(const StatisticsView& statistics, const std::string& robot) {
+  const auto percent = [](double share) { return format_quantity(100 * share, "%"); };
+  std::string text = fmt::format(" {}", escape_html(robot_title(robot)));
+  if (const auto covered = statistics.number("plane." + robot + ".covered"))
+    text += fmt::format(" reaches {},", percent(*covered));
+  const auto before = statistics.quantity("polish." + robot + ".within_before"),
+             after = statistics.quantity("polish." + robot + ".within_after");
+  if (before.empty() || after.empty()) return "";
+  return text + fmt::format(" holds {} within l as evolved and {} when moved.",
+                            percent(summarise(before, "within").median),
+                            percent(summarise(after, "within").median));
+}
+
 }  // namespace
 
 Figure coverage_figure(const Evidence& evidence) {
@@ -67,7 +82,7 @@ Figure coverage_figure(const Evidence& evidence) {
     figure.absent = "This run has no other robot that draws.";
     return figure;
   }
-  std::string missing;
+  std::string missing, shares;
   for (const std::string& stage : stages) {
     const std::string robot = stage.substr(0, stage.size() - kSuffix.size());
     if (const std::string plane = robot + "_plane.h5"; evidence.artifacts.has(plane)) {
@@ -82,14 +97,15 @@ Figure coverage_figure(const Evidence& evidence) {
     const double spacing = Hdf5Reader(path).number_attribute("settings.spacing");
     add_map(figure, path, robot, "layer 1 as evolved", "arm_points", "before/nearest", spacing);
     add_map(figure, path, robot, "moved onto its plane", "arm_points", "after/nearest", spacing);
+    shares += shares_within(evidence.statistics, robot);
   }
   figure.caption =
       "One dot for each point of the arm’s layer 1 (first replication). Left: the distance at which the "
       "robot’s "
       "tip can come to it on the drawing plane that was found, against the tolerance. Middle and right: the "
       "distance to the robot’s nearest elite, against l. The paler the blue, the nearer; orange-red: "
-      "beyond." +
-      missing;
+      "beyond. Of the arm’s points, medians of the replications:" +
+      shares + missing;
   return figure;
 }
 

@@ -9,7 +9,9 @@
 #include "pipeline/core/check.h"
 #include "reports/contender.h"
 #include "reports/figures.h"
+#include "reports/format.h"
 #include "reports/gallery.h"
+#include "reports/html.h"
 #include "reports/panels.h"
 
 namespace hbr {
@@ -82,6 +84,25 @@ std::vector<std::string> greatest(const StatisticsView& statistics, const std::s
   return names;
 }
 
+// " NAO, 345 digits, medians: arm 0.0625 mm from its way, 12.1 % of a torque limit, 3.1 times the pace; ..."
+std::string measured_words(const StatisticsView& statistics, const std::string& name,
+                           const std::string& robot) {
+  std::string text;
+  for (const auto& [player, words] : {std::pair<std::string, const char*>{"arm", "arm"}, {"whole", "body"}}) {
+    const auto rms = statistics.box(name + player + "_rms"),
+               torque = statistics.box(name + player + "_torque"),
+               faster = statistics.box(name + player + "_faster");
+    if (!rms || !torque || !faster) continue;
+    if (text.empty()) text = fmt::format(" {}, medians of {} digits:", escape_html(robot), rms->all.n);
+    text += fmt::format(
+        " {} {} from its way (root mean square), at {} of a torque limit, a limit would be reached at {} "
+        "times the pace.",
+        words, format_quantity(rms->all.median, "mm"), format_quantity(torque->all.median, "%"),
+        format_number(faster->all.median));
+  }
+  return text;
+}
+
 }  // namespace
 
 Figure dynamics_figure(const Evidence& evidence) {
@@ -91,6 +112,7 @@ Figure dynamics_figure(const Evidence& evidence) {
     figure.absent = "This run replayed no digit by servos.";
     return figure;
   }
+  std::string measured;
   for (const std::string& stage : stages) {
     const std::string id = stage.substr(0, stage.size() - kSuffix.size()), robot = robot_title(id),
                       name = "dynamics." + id + ".";
@@ -126,6 +148,7 @@ Figure dynamics_figure(const Evidence& evidence) {
     else
       add(greatest(evidence.statistics, name + "arm_speed_of.", 5),
           {.title = "speeds of the drawing joints", .unit = "% of the limit", .from_zero = true, .span = 3});
+    measured += measured_words(evidence.statistics, name, robot);
   }
   figure.caption =
       "Some of the digits, replayed in a physical simulation with the masses, inertias and limits of the "
@@ -140,7 +163,8 @@ Figure dynamics_figure(const Evidence& evidence) {
       "100 % "
       "it did not get it. The pace is that at which inverse dynamics reaches a limit of torque or speed. "
       "Whiskers: "
-      "within 1.5 interquartile ranges.";
+      "within 1.5 interquartile ranges." +
+      measured;
   return figure;
 }
 

@@ -107,7 +107,14 @@ Drawing draw(const BandPlot& plot, const std::string& prefix) {
 
 Drawing draw(const BoxPlot& plot, const std::string& prefix) {
   HBR_CHECK(!plot.boxes.empty(), "no box in plot {}", prefix);
-  const auto shown = [&](double value) { return plot.logarithmic ? std::log10(value) : value; };
+  // On a logarithmic axis 0 is as far below as this.
+  double floor = INFINITY;
+  for (const BoxSeries& series : plot.boxes)
+    for (const double value : {series.box.all.q1, series.box.all.median, series.box.all.q3})
+      if (value > 0) floor = std::min(floor, value / 10);
+  const bool logarithmic = plot.logarithmic && floor < INFINITY;
+  const auto clipped = [&](double value) { return logarithmic ? std::max(value, floor) : value; };
+  const auto shown = [&](double value) { return logarithmic ? std::log10(clipped(value)) : value; };
   double low = INFINITY, high = -INFINITY;
   for (const BoxSeries& series : plot.boxes) {
     low = std::min(low, shown(series.points.empty() ? series.box.low : series.box.all.minimum));
@@ -115,15 +122,14 @@ Drawing draw(const BoxPlot& plot, const std::string& prefix) {
   }
   const std::vector<int> levels = bracket_levels(plot.brackets);
   const int top = levels.empty() ? 0 : *std::ranges::max_element(levels) + 1;
-  Axis axis = make_axis(low, high, plot.unit, plot.from_zero && !plot.logarithmic);
-  if (plot.logarithmic) axis.scale = 1, axis.unit = plot.unit, axis.low = low - 0.15, axis.high = high + 0.15;
+  Axis axis = make_axis(low, high, plot.unit, plot.from_zero && !logarithmic);
+  if (logarithmic) axis.scale = 1, axis.unit = plot.unit, axis.low = low - 0.15, axis.high = high + 0.15;
   axis.high = axis.low + (axis.high - axis.low) / (1 - kBracketHeight * top);
 
   std::string script = plot_head(plot.width, axis.unit, 10, 44);
   const double n = static_cast<double>(plot.boxes.size());
-  const auto bound = [&](double value) { return plot.logarithmic ? std::pow(10.0, value) : value; };
-  if (plot.logarithmic)
-    script += fmt::format("set logscale y\nset format y '{}'\n", high > 0 ? "%.0s%c" : "1e%T");
+  const auto bound = [&](double value) { return logarithmic ? std::pow(10.0, value) : value; };
+  if (logarithmic) script += fmt::format("set logscale y\nset format y '{}'\n", high > 0 ? "%.0s%c" : "1e%T");
   script += fmt::format("set yrange [{}:{}]\nset xrange [0.4:{}]\nset boxwidth {}\n", bound(axis.low),
                         bound(axis.high), n + 0.6, 0.5);
   std::string ticks, plots;
@@ -131,7 +137,8 @@ Drawing draw(const BoxPlot& plot, const std::string& prefix) {
     const auto& [label, colour, box, points] = plot.boxes[i];
     const double x = static_cast<double>(i + 1);
     const Summary& s = box.all;
-    script += data_block(fmt::format("b{}", i), {{x}, {s.q1}, {box.low}, {box.high}, {s.q3}, {s.median}},
+    script += data_block(fmt::format("b{}", i),
+                         {{x}, {clipped(s.q1)}, {clipped(box.low)}, {box.high}, {s.q3}, {clipped(s.median)}},
                          axis.scale);
     ticks += fmt::format("{}{} {}", i ? ", " : "", gnuplot_quoted(label), x);
     plots += fmt::format(

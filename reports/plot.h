@@ -41,7 +41,7 @@ struct BoxPlot {
   std::string unit = {};
   std::vector<BoxSeries> boxes = {};  // one at least
   std::vector<Bracket> brackets = {};
-  bool logarithmic = false;  // only for positive values
+  bool logarithmic = false;  // no further down than a tenth of the least quartile above 0
   bool from_zero = false;
   double width = 400;
 };

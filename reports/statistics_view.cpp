@@ -42,6 +42,12 @@ std::vector<std::string> StatisticsView::quantities(const std::string& prefix,
   return names;
 }
 
+std::optional<double> StatisticsView::number(const std::string& name) const {
+  const auto* entry = find("numbers", name);
+  if (!entry) return {};
+  return checked(name, [&] { return entry->at("value").get<double>(); });
+}
+
 std::optional<Box> StatisticsView::box(const std::string& name) const {
   const auto* entry = find("boxes", name);
   if (!entry) return {};

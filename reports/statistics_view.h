@@ -30,6 +30,8 @@ class StatisticsView {
   std::vector<double> quantity(const std::string& name) const;
   // Names of the quantities that start and end so, sorted.
   std::vector<std::string> quantities(const std::string& prefix, const std::string& suffix = "") const;
+  // A single number.
+  std::optional<double> number(const std::string& name) const;
   // All values of all replications together.
   std::optional<Box> box(const std::string& name) const;
   // Between two quantities, whichever way round it is stored.

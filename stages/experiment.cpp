@@ -70,7 +70,11 @@ class Experiment {
     }
     searches();
     for (int r = 0; r < p_.replications.digits; ++r) digits(r);
-    for (const RobotSettings& robot : p_.robots) transfer(robot);
+    for (const RobotSettings& robot : p_.robots) {
+      transfer(robot);
+      tuning(robot.name, {robot});
+    }
+    if (!p_.robots.empty()) tuning("arm", {});
     statistics();
     return std::move(graph_);
   }
@@ -103,6 +107,8 @@ class Experiment {
     check_names("layer2.variants", p_.layer2.variants);
     check_names("layer3.variants", p_.layer3.variants);
     check_names("robots", p_.robots);
+    if (std::ranges::find(p_.robots, "arm", &RobotSettings::name) != p_.robots.end())
+      fail("robots: name 'arm' is the planar arm's; expected another");
     check_names("searches.variants", p_.searches.variants);
     named(p_.layer2.variants, p_.layer3.lines, "layer3.lines", "layer2.variants");
     named(p_.layer3.variants, p_.layer4.arcs, "layer4.arcs", "layer3.variants");
@@ -341,19 +347,6 @@ class Experiment {
                                  {"robot", body}}),
           inputs, {robot.urdf});
       inputs.pop_back();  // the judge's verdicts
-      SearchTable longer = p_.layer4.search;
-      longer.generations += p_.tuning.generations;
-      Inputs judged = inputs;
-      judged.insert(judged.end(),
-                    {{"descriptor", own_networks() ? numbered("autoencoder", r) : "descriptor.h5"},
-                     {"dataset", "dataset.h5"},
-                     {"judge", "judge.h5"}});
-      add("robot_tuned", robot.name + "_tuned", r,
-          with(digits_slice(r), {{"length_rate", p_.layer4.length_rate},
-                                 {"search", search(p_.layer4.search, longer)},
-                                 {"tuning", settings_to_json(p_.tuning)},
-                                 {"robot", body}}),
-          judged, {robot.urdf});
       add("robot_dynamics", robot.name + "_dynamics", r,
           with(digits_slice(r), {{"dynamics", settings_to_json(p_.dynamics)}, {"robot", body}}), inputs,
           {robot.urdf});
@@ -372,6 +365,66 @@ class Experiment {
                       {{"half_side", p_.half_side}, {"height", p_.robot_picture.height}, {"robot", body}},
                       inputs,
                       looks_of(robot)});
+  }
+
+  // The arm's layers evolve on over a robot; over none, over the arm itself, which is the control.
+  void tuning(const std::string& name, const std::vector<RobotSettings>& robot) {
+    json body = json::array();
+    std::vector<std::string> urdf;
+    for (RobotSettings each : robot) body.push_back(settings_to_json(each)), urdf.push_back(each.urdf);
+    for (int r = 0; r < p_.replications.digits; ++r) {
+      const auto stage = [&](const std::string& layer) { return name + "_tuned_" + layer; };
+      Inputs points{{"points", numbered(robot.empty() ? "layer1" : name + "_polish", r)}};
+      if (!robot.empty()) points.emplace_back("plane", name + "_plane.h5");
+      const Inputs arm = hierarchy(r);
+      const std::string layer2 = arm[1].second, layer3 = arm[2].second, layer4 = numbered("layer4", r);
+      const std::pair<std::string, std::string> tuned_lines{"lines", numbered(stage("lines"), r)},
+          tuned_arcs{"arcs", numbered(stage("arcs"), r)},
+          descriptor{"descriptor", own_networks() ? numbered("autoencoder", r) : "descriptor.h5"};
+      const auto evolve_on = [&](const char* program, const std::string& layer, const json& slice,
+                                 const SearchTable& archive, const SearchTable& before, std::int64_t more,
+                                 const Inputs& others) {
+        SearchTable longer = before;
+        longer.generations += more;
+        Inputs inputs = points;
+        inputs.insert(inputs.end(), others.begin(), others.end());
+        add(program, stage(layer), r,
+            with(slice, {{"search", search(archive, longer)}, {"robot", body}, {"more", more}}), inputs,
+            urdf);
+      };
+
+      const LineVariant& line = named(p_.layer2.variants, p_.layer3.lines, "", "");
+      evolve_on("tuned_lines", "lines", with(lines_slice(r), {{"samples", line.samples}}), p_.layer2.archive,
+                line.search, p_.tuning.line_generations, {{"layer2", layer2}});
+      const ArcVariant& arc = named(p_.layer3.variants, p_.layer4.arcs, "", "");
+      evolve_on("tuned_arcs", "arcs",
+                with(arcs_slice(r), {{"controller", arc.controller}, {"samples", arc.samples}}),
+                p_.layer3.archive, arc.search, p_.tuning.arc_generations, {tuned_lines, {"layer3", layer3}});
+      const json digit = with(digits_slice(r), {{"length_rate", p_.layer4.length_rate}});
+      const SearchTable& layer = p_.layer4.search;
+      evolve_on("tuned_digits", "top", digit, layer, layer, p_.tuning.digit_generations,
+                {{"lines", layer2}, {"arcs", layer3}, {"layer4", layer4}, descriptor});
+      evolve_on("tuned_digits", "all", digit, layer, layer, p_.tuning.digit_generations,
+                {tuned_lines, tuned_arcs, {"layer4", layer4}, descriptor});
+
+      Inputs drawn = points;
+      drawn.insert(drawn.end(), arm.begin(), arm.end());
+      drawn.insert(drawn.end(), {{"layer4", layer4},
+                                 tuned_lines,
+                                 tuned_arcs,
+                                 {"top", numbered(stage("top"), r)},
+                                 {"all", numbered(stage("all"), r)},
+                                 descriptor,
+                                 {"dataset", "dataset.h5"},
+                                 {"judge", "judge.h5"}});
+      add("robot_tuned", name + "_tuned", r,
+          with(digits_slice(r), {{"reading", settings_to_json(p_.layer3.reading)},
+                                 {"transfer", settings_to_json(p_.transfer)},
+                                 {"line_places", p_.layer2.archive.spacing},
+                                 {"arc_places", p_.layer3.archive.spacing},
+                                 {"robot", body}}),
+          drawn, urdf);
+    }
   }
 
   // Everything before, by its own name.

@@ -252,7 +252,7 @@ void describe(Fields& f, Profile& s) {
   f.table("transfer", s.transfer, "to the robots below");
   f.table("robot_picture", s.robot_picture, "pictures of the robots below");
   f.table("dynamics", s.dynamics, "of the robots below");
-  f.table("tuning", s.tuning, "of the digits to the robots below");
+  f.table("tuning", s.tuning, "of the arm's layers to the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");
   f.tables("variations", s.variations, "other readings, run beside this one");
 }

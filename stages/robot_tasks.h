@@ -15,13 +15,15 @@ void describe(Fields& f, TransferTable& s) {
   f.number("starts", s.starts, Range{1, 1e4}, "common starts from which each line and arc is executed");
 }
 
-// How long the digits evolve on.
+// How long the arm's layers evolve on over another robot, and digits over the arm as well.
 struct TuningTable {
-  std::int64_t generations = 0;
+  std::int64_t line_generations = 0, arc_generations = 0, digit_generations = 0;
 };
 template <class Fields>
 void describe(Fields& f, TuningTable& s) {
-  f.number("generations", s.generations, Range{1, 1e9}, "for which layer 4 goes on over another robot");
+  f.number("line_generations", s.line_generations, Range{1, 1e9}, "for which layer 2 goes on");
+  f.number("arc_generations", s.arc_generations, Range{1, 1e9}, "for which layer 3 goes on");
+  f.number("digit_generations", s.digit_generations, Range{1, 1e9}, "for which layer 4 goes on");
 }
 
 // How the digits are replayed by servos.

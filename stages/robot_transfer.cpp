@@ -45,23 +45,22 @@ void write_layer_errors(hbr::Hdf5Writer& file, const hbr::StageRun& stage, const
   const hbr::Seed seed = hbr::Seed(s.seed).child(stage.stage()).child(s.replication);
   const auto starts = static_cast<std::size_t>(s.transfer.starts);
 
-  const hbr::Elites elites = hbr::read_elites(stage.input("layer2"));
-  std::vector<Eigen::Vector2d> requests;
-  for (Eigen::Index i = 0; i < elites.size(); ++i)
-    requests.push_back(decode_line(arm.frame(), elites.solution.row(i).data()));
-  const hbr::LineErrors of_lines =
-      line_errors(arm, robot, requests, s.transfer.starts, seed.child("lines"), workers);
-  file.write("lines/end", {requests.size(), starts}, of_lines.end.data());
-  file.write("lines/displacement", {requests.size(), starts}, of_lines.displacement.data());
+  const hbr::Rows of_lines = hbr::read_elites(stage.input("layer2")).measures,
+                  of_arcs = hbr::read_elites(stage.input("layer3")).measures;
+  const hbr::LineErrors line = line_errors(arm, robot, line_tasks(arm.frame(), of_lines, lines, lines),
+                                           s.transfer.starts, seed.child("lines"), workers);
+  const auto n_lines = static_cast<std::size_t>(of_lines.rows());
+  file.write("lines/end", {n_lines, starts}, line.end.data());
+  file.write("lines/displacement", {n_lines, starts}, line.displacement.data());
 
-  std::vector<hbr::ArcLines> controllers;
-  for (std::int32_t i = 0; i < arcs.size(); ++i) controllers.push_back(arcs.lines(i));
-  const hbr::ArcErrors of_arcs =
-      arc_errors(arm, robot, lines, controllers, hbr::make_reading(s.reading).centre, s.transfer.starts,
-                 seed.child("arcs"), workers);
-  file.write("arcs/end", {controllers.size(), starts}, of_arcs.end.data());
-  file.write("arcs/centre", {controllers.size(), starts}, of_arcs.centre.data());
-  file.write("arcs/length", {controllers.size(), starts}, of_arcs.length.data());
+  const hbr::Strokes strokes{lines, arcs};
+  const hbr::ArcErrors arc =
+      arc_errors(arm, robot, arc_tasks(arm.frame(), of_arcs, strokes, strokes),
+                 hbr::make_reading(s.reading).centre, s.transfer.starts, seed.child("arcs"), workers);
+  const auto n_arcs = static_cast<std::size_t>(of_arcs.rows());
+  file.write("arcs/end", {n_arcs, starts}, arc.end.data());
+  file.write("arcs/centre", {n_arcs, starts}, arc.centre.data());
+  file.write("arcs/length", {n_arcs, starts}, arc.length.data());
 }
 
 void run(hbr::StageRun& stage) {

@@ -30,7 +30,11 @@ std::string family(const Split& name) {
   if (head == "accuracy") return "accuracy";
   if (head == "digits") return "digits";
   if (head == "substitution") return name.subject;
-  if (head == "tuned") return name.subject.substr(0, name.subject.rfind('.'));
+  if (head == "tuned") {  // gains with those of other robots, all else with the same robot's
+    const std::size_t state = name.subject.rfind('.');
+    return name.measure.ends_with("gain") ? "tuned" + name.subject.substr(state)
+                                          : name.subject.substr(0, state);
+  }
   return "";
 }
 

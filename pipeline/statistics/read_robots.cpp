@@ -118,21 +118,34 @@ void read_tuned(const std::vector<Artifact>& artifacts, StatisticsTable& table) 
   Pooled pooled(table);
   for (const Artifact& artifact : artifacts) {
     const Hdf5Reader file(artifact.path);
-    for (const std::string whose : {"arm", "before", "after"}) {
-      const std::string name = artifact.name.prefix() + "." + whose;
-      const std::vector<float> fitness =
-          file.read<float>(whose == "after" ? "objective" : whose + "/objective").values;
-      const std::vector<std::uint8_t> good = file.read<std::uint8_t>(whose + "/good").values;
+    const int replication = artifact.name.replication;
+    double mean_before = 0, good_before = 0;
+    for (const std::string state : {"before", "top", "all"}) {
+      const std::string name = artifact.name.prefix() + "." + state;
+      const std::vector<float> fitness = file.read<float>(state + "/objective").values;
+      const std::vector<std::uint8_t> good = file.read<std::uint8_t>(state + "/good").values;
       if (fitness.empty() || good.size() != fitness.size())
         throw InputError("{}: {}/good has {} entries, the fitness {}; expected as many, at least one",
-                         artifact.path.string(), whose, good.size(), fitness.size());
+                         artifact.path.string(), state, good.size(), fitness.size());
       const auto n = static_cast<double>(good.size());
-      table.add(name + ".size", artifact.name.replication, n);
-      table.add(name + ".mean", artifact.name.replication,
-                mean(std::vector<double>(fitness.begin(), fitness.end())));
-      table.add(name + ".good", artifact.name.replication,
-                static_cast<double>(std::ranges::count(good, 1)) / n);
-      if (whose != "arm") pooled.add(artifact, file, whose + "/absolute", whose + ".difference", 100);
+      const double mean_fitness = mean(std::vector<double>(fitness.begin(), fitness.end())),
+                   good_share = static_cast<double>(std::ranges::count(good, 1)) / n;
+      table.add(name + ".size", replication, n);
+      table.add(name + ".mean", replication, mean_fitness);
+      table.add(name + ".good", replication, good_share);
+      pooled.add(artifact, file, state + "/absolute", state + ".difference", 100);
+      if (state == "before") {
+        mean_before = mean_fitness;
+        good_before = good_share;
+      } else {
+        table.add(name + ".gain", replication, mean_fitness - mean_before);
+        table.add(name + ".good_gain", replication, good_share - good_before);
+      }
+      if (state == "top") continue;  // its lines and arcs are those before
+      pooled.add(artifact, file, state + "/arc_fitness", state + ".arc_fitness", 1);
+      for (const std::string error : {"line", "arc_centre", "arc_length"})
+        for (const std::string& measure : {error, error + "_from_arm"})
+          pooled.add(artifact, file, state + "/" + measure, state + "." + measure, 1);
     }
   }
   pooled.write_boxes();

@@ -71,6 +71,8 @@ class TinyExperiment {
     profile.set("experiments", "accuracy_requests", "200");
     profile.set("experiments", "fresh_starts", "20");
     profile.set("dynamics", "every", "100");
+    for (const char* layer : {"line", "arc", "digit"})
+      profile.set("tuning", fmt::format("{}_generations", layer), "5");
     profile.set("robot_picture", "height", "150");
     profile.set_everywhere("generations", "20");
     profile.set_everywhere("samples", "3");

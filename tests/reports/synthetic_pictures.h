@@ -69,6 +69,7 @@ class SyntheticPictures {
       squared.push_back(absolute.back() / 3);
     }
     Hdf5Writer file(place("nao_transfer", replication));
+    file.attribute("framing", std::string("box"));
     file.write("arm", arm);
     file.write("robot", robot);
     file.write("absolute", absolute);
@@ -100,10 +101,11 @@ class SyntheticPictures {
       absolute.push_back(rng.uniform(0, 0.05f));
       next.push_back((i + 1) % n);
     }
-    file.write("before/absolute", absolute);
-    file.write("before/nearest", next);
-    file.write("after/nearest", next);
-    for (const char* name : {"arm/image", "before/image", "after/image"}) {
+    for (const std::string state : {"before", "top", "all"}) {
+      file.write(state + "/absolute", absolute);
+      file.write(state + "/nearest", next);
+    }
+    for (const char* name : {"arm/image", "before/image", "top/image", "all/image"}) {
       Array<std::uint8_t> images{{static_cast<std::size_t>(n), 28, 28}, {}};
       for (int i = 0; i < n; ++i) append(images.values, draw(i % 10, rng, 0.1f));
       file.write(name, images);

@@ -76,37 +76,42 @@ class LayerErrors : public testing::Test {
 };
 
 TEST_F(LayerErrors, OfLinesAreThoseOfEveryExecution) {
-  std::vector<Eigen::Vector2d> requests;
-  for (int i = 0; i < 40; ++i) requests.push_back(displacement());
-  const LineErrors errors = line_errors(original_, other_, requests, kStarts, seed_, workers_);
+  std::vector<LineTask> tasks;
+  for (int i = 0; i < 40; ++i) tasks.push_back({displacement(), displacement(), displacement()});
+  const LineErrors errors = line_errors(original_, other_, tasks, kStarts, seed_, workers_);
   ASSERT_EQ(errors.end.size(), 40u * kStarts);
-  for (std::size_t i = 0; i < requests.size(); ++i) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
     Rng starts(seed_.child(i));
     for (int s = 0; s < kStarts; ++s) {
       const auto start = static_cast<int>(starts.below(400));
-      const auto a = drawn(original_, start, {requests[i]});
-      const auto b = drawn(other_, nearest(other_, a[0]), {requests[i]});
+      const auto a = drawn(original_, start, {tasks[i].original});
+      const auto b = drawn(other_, nearest(other_, a[0]), {tasks[i].other});
       const std::size_t at = i * kStarts + static_cast<std::size_t>(s);
       EXPECT_NEAR(static_cast<double>(errors.end[at]), (a[1] - b[1]).norm(), 1e-6);
       EXPECT_NEAR(static_cast<double>(errors.displacement[at]), (a[1] - a[0] - b[1] + b[0]).norm(), 1e-6);
+      EXPECT_NEAR(static_cast<double>(errors.promise[at]), (b[1] - b[0] - tasks[i].promise).norm(), 1e-6);
     }
   }
 }
 
 TEST_F(LayerErrors, OfArcsAreThoseOfEveryExecution) {
-  std::vector<ArcLines> arcs(30);
-  for (ArcLines& arc : arcs)
-    for (Eigen::Vector2d& line : arc) line = displacement();
-  const ArcErrors errors =
-      arc_errors(original_, other_, lines_, arcs, ArcCentre::kCircle, kStarts, seed_, workers_);
+  std::vector<ArcTask> tasks(30);
+  for (ArcTask& task : tasks) {
+    for (Eigen::Vector2d& line : task.original) line = displacement();
+    for (Eigen::Vector2d& line : task.other) line = displacement();
+    task.promise = {displacement(), 0.5};
+  }
+  const ArcErrors errors = arc_errors(original_, other_, tasks, ArcCentre::kCircle, kStarts, seed_, workers_);
   ASSERT_EQ(errors.centre.size(), 30u * kStarts);
-  for (std::size_t i = 0; i < arcs.size(); ++i) {
-    std::vector<Eigen::Vector2d> requests;
-    for (const Eigen::Vector2d& line : arcs[i]) requests.push_back(lines_.request(line));
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const auto listed = [](const ArcTask::Requests& requests) {
+      return std::vector<Eigen::Vector2d>(requests.begin(), requests.end());
+    };
     Rng starts(seed_.child(i));
     for (int s = 0; s < kStarts; ++s) {
       const auto start = static_cast<int>(starts.below(400));
-      const auto a = drawn(original_, start, requests), b = drawn(other_, nearest(other_, a[0]), requests);
+      const auto a = drawn(original_, start, listed(tasks[i].original)),
+                 b = drawn(other_, nearest(other_, a[0]), listed(tasks[i].other));
       const std::size_t at = i * kStarts + static_cast<std::size_t>(s);
       EXPECT_NEAR(static_cast<double>(errors.end[at]), (a[5] - b[5]).norm(), 1e-6);
       const auto centre = [](const auto& path) -> Eigen::Vector2d {
@@ -114,21 +119,74 @@ TEST_F(LayerErrors, OfArcsAreThoseOfEveryExecution) {
         return c.norm() > kFrame.half_side ? Eigen::Vector2d(c.normalized() * kFrame.half_side) : c;
       };
       EXPECT_NEAR(static_cast<double>(errors.centre[at]), (centre(a) - centre(b)).norm(), 1e-6);
-      double difference = 0;
-      for (std::size_t k = 0; k < 5; ++k) difference += (a[k + 1] - a[k]).norm() - (b[k + 1] - b[k]).norm();
-      EXPECT_NEAR(static_cast<double>(errors.length[at]), std::abs(difference), 1e-6);
+      double length = 0, other_length = 0;
+      for (std::size_t k = 0; k < 5; ++k) {
+        length += (a[k + 1] - a[k]).norm();
+        other_length += (b[k + 1] - b[k]).norm();
+      }
+      EXPECT_NEAR(static_cast<double>(errors.length[at]), std::abs(length - other_length), 1e-6);
+      EXPECT_NEAR(static_cast<double>(errors.promised_centre[at]),
+                  (centre(b) - tasks[i].promise.centre).norm(), 1e-6);
+      EXPECT_NEAR(static_cast<double>(errors.promised_length[at]), std::abs(other_length - 0.5), 1e-6);
     }
   }
 }
 
 TEST_F(LayerErrors, OverTheSameLayerThereAreNone) {
-  const LineErrors lines = line_errors(original_, original_, {displacement()}, 50, seed_, workers_);
+  const Eigen::Vector2d v = displacement();
+  const LineErrors lines = line_errors(original_, original_, {{v, v, v}}, 50, seed_, workers_);
   for (const float error : lines.end) EXPECT_EQ(error, 0);
-  ArcLines arc;
-  arc.fill(displacement());
-  const ArcErrors arcs =
-      arc_errors(original_, original_, lines_, {arc}, ArcCentre::kCircle, 50, seed_, workers_);
+  ArcTask task;
+  task.original.fill(v);
+  task.other = task.original;
+  const ArcErrors arcs = arc_errors(original_, original_, {task}, ArcCentre::kCircle, 50, seed_, workers_);
   for (const float error : arcs.centre) EXPECT_EQ(error, 0);
+}
+
+// Two layers 3 of three arcs each, at places of their own.
+ArcLayer few_arcs(float shift) {
+  Elites elites;
+  elites.solution = elites.measures = Rows(3, 3);
+  elites.objective.setZero(3);
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<float>(i) / 3 + shift;
+    elites.solution.row(i) << at, 0.5f, at;
+    elites.measures.row(i) << at, at, 0.5f;
+    elites.id.push_back(i);
+    elites.parent.push_back(-1);
+  }
+  return {elites, kFrame, arc_controller("turn")};
+}
+
+TEST_F(LayerErrors, TasksAskEachSideAtTheSamePlaces) {
+  Rows lines(2, 2), arcs(2, 3);
+  lines << 0.3f, 0.6f, 0.9f, 0.5f;
+  arcs << 0.1f, 0.2f, 0.5f, 0.7f, 0.6f, 0.4f;
+  Elites one;
+  one.solution = one.measures = Rows::Constant(1, 2, 0.75f);
+  one.objective.setZero(1);
+  one.id.push_back(0);
+  one.parent.push_back(-1);
+  const LineLayer other(one, kFrame);  // whose only line is (0.5, 0.5) rho
+  const std::vector<LineTask> asked = line_tasks(kFrame, lines, lines_, other);
+  ASSERT_EQ(asked.size(), 2u);
+  EXPECT_NEAR((asked[0].promise - Eigen::Vector2d(-0.1, 0.05)).norm(), 0, 1e-7);  // (d - 1/2) 2 rho
+  EXPECT_NEAR((asked[1].promise - Eigen::Vector2d(0.2, 0)).norm(), 0, 1e-7);
+  for (const LineTask& task : asked) {
+    EXPECT_LT((task.original - task.promise).norm(), 0.045) << "the nearest of a lattice of 1/8";
+    EXPECT_NEAR((task.other - Eigen::Vector2d(0.125, 0.125)).norm(), 0, 1e-7);
+  }
+
+  const ArcLayer here = few_arcs(0), there = few_arcs(0.3f);
+  const std::vector<ArcTask> drawn = arc_tasks(kFrame, arcs, {lines_, here}, {other, there});
+  ASSERT_EQ(drawn.size(), 2u);
+  EXPECT_NEAR((drawn[0].promise.centre - Eigen::Vector2d(-0.512, -0.384)).norm(), 0, 1e-6);  // (d - 1/2) 2 L
+  EXPECT_NEAR(drawn[1].promise.length, 0.4 * 5 * 0.25, 1e-6);
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(drawn[0].original[k], lines_.request(here.lines(0)[k]));  // (0.15, 0.15) is nearest to 0
+    EXPECT_EQ(drawn[1].original[k], lines_.request(here.lines(2)[k]));
+    EXPECT_EQ(drawn[0].other[k], other.request(there.lines(0)[k]));
+  }
 }
 
 }  // namespace

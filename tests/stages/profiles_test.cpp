@@ -89,6 +89,49 @@ TEST(Profiles, TransferReadsTripletsAsLayer4) {
   EXPECT_EQ(nodes.at("nao_transfer/00.h5").settings["out_of_range"], "radius");
 }
 
+// Layers evolve on over each other and the robot's points, as searches that are longer than those before; the
+// arm goes through the same as its own control.
+TEST(Profiles, LayersAreTunedOverEachOther) {
+  const auto nodes = by_output(experiment_graph(kProfiles / "paper.toml"));
+  const auto inputs = [&](const std::string& output) {
+    const auto& list = nodes.at(output).inputs;
+    return std::map<std::string, std::string>(list.begin(), list.end());
+  };
+  for (const std::string robot : {"nao", "nao_left", "industrial", "arm"}) {
+    const std::string points = robot == "arm" ? "layer1/03.h5" : robot + "_polish/03.h5",
+                      tuned = robot + "_tuned", lines = tuned + "_lines/03.h5", arcs = tuned + "_arcs/03.h5";
+    const std::map<std::string, std::pair<const char*, std::int64_t>> searches{
+        {"lines", {"layer2_n10/03.h5", 1000}},
+        {"arcs", {"layer3_b/03.h5", 1000}},
+        {"top", {"layer4/03.h5", 800}},
+        {"all", {"layer4/03.h5", 800}}};
+    for (const auto& [layer, of] : searches) {
+      const auto& [before, generations] = of;
+      json settings = nodes.at(tuned + "_" + layer + "/03.h5").settings, base = nodes.at(before).settings;
+      EXPECT_EQ(settings["more"], generations) << layer;
+      EXPECT_EQ(settings["robot"].size(), robot == "arm" ? 0u : 1u);
+      settings.erase("more");
+      settings.erase("robot");
+      base["search"]["generations"] = base["search"]["generations"].get<std::int64_t>() + generations;
+      EXPECT_EQ(settings, base) << layer << ": otherwise as the arm's layer";
+      EXPECT_EQ(inputs(tuned + "_" + layer + "/03.h5")["points"], points);
+    }
+    EXPECT_EQ(inputs(tuned + "_lines/03.h5")["layer2"], "layer2_n10/03.h5");
+    EXPECT_EQ(inputs(tuned + "_arcs/03.h5")["lines"], lines);
+    EXPECT_EQ(inputs(tuned + "_top/03.h5")["lines"], "layer2_n10/03.h5");
+    EXPECT_EQ(inputs(tuned + "_top/03.h5")["arcs"], "layer3_b/03.h5");
+    EXPECT_EQ(inputs(tuned + "_all/03.h5")["lines"], lines);
+    EXPECT_EQ(inputs(tuned + "_all/03.h5")["arcs"], arcs);
+    auto shown = inputs(tuned + "/03.h5");
+    EXPECT_EQ(shown["layer1"], "layer1/03.h5");
+    EXPECT_EQ(shown["points"], points);
+    EXPECT_EQ(shown["lines"], lines);
+    EXPECT_EQ(shown["arcs"], arcs);
+    EXPECT_EQ(shown["top"], tuned + "_top/03.h5");
+    EXPECT_EQ(shown["all"], tuned + "_all/03.h5");
+  }
+}
+
 // "layer2.variants", "layer4.pencil.framing": what selects a reading is a key of the profile.
 TEST(Profiles, EveryOptionOfTheLedgerIsAKey) {
   const json keys =

@@ -57,7 +57,7 @@ class Transplant : public testing::Test {
         << R"({"stage": "s", "name": "s/00", "settings": {}, "inputs": {}, "output": "s/00.h5"})";
   }
   // The search that goes on from the transplant after 100 generations, for `more`.
-  Elites evolve_on(const Elites& elites, std::int64_t more) {
+  Elites from_checkpoint(const Elites& elites, std::int64_t more) {
     const std::filesystem::path checkpoint = folder_.path() / "checkpoint",
                                 output = folder_.path() / "out.h5";
     StageRun stage(folder_.path() / "slice.json", folder_.path(), output, checkpoint, 1);
@@ -71,11 +71,23 @@ class Transplant : public testing::Test {
   SearchTable table_;
 };
 
+// Nothing is lost of a finished search whose elites do here what they did there: the search goes on.
+TEST_F(Transplant, KeepsAllOfAFinishedSearch) {
+  const Elites finished = from_checkpoint(random_elites(300), 200), found = from_checkpoint(finished, 0);
+  float nearest = 1;
+  for (Eigen::Index i = 0; i < finished.size(); ++i)
+    for (Eigen::Index k = 0; k < i; ++k)
+      nearest = std::min(nearest, (finished.measures.row(i) - finished.measures.row(k)).norm());
+  ASSERT_LT(nearest, 0.099f) << "none stands nearer than l, and nothing is tried";
+  EXPECT_EQ(found.id, finished.id);
+  EXPECT_EQ(found.solution, finished.solution);
+}
+
 TEST_F(Transplant, HoldsWhatTheContainerKeeps) {
   const Elites elites = random_elites(300);
-  const auto archive = make_distance_archive(3, 2, {0.1f, 0.1f, 5, 0, 1});
+  const auto archive = make_distance_archive(3, 2, {0.09f, 0, 5, 0, 1});
   for (Eigen::Index i = 0; i < elites.size(); ++i) archive->add(candidate_of(elites, i));
-  const Elites expected = archive->store().in_id_order(), found = evolve_on(elites, 0);
+  const Elites expected = archive->store().in_id_order(), found = from_checkpoint(elites, 0);
   ASSERT_LT(expected.size(), 200);
   EXPECT_EQ(found.id, expected.id);
   EXPECT_EQ(found.solution, expected.solution);
@@ -83,7 +95,7 @@ TEST_F(Transplant, HoldsWhatTheContainerKeeps) {
 }
 
 TEST_F(Transplant, GoesOnFromThere) {
-  const Elites elites = random_elites(30), found = evolve_on(elites, 80);
+  const Elites elites = random_elites(30), found = from_checkpoint(elites, 80);
   EXPECT_EQ(read_progress(folder_.path() / "out.h5").front().generation, 101);
   int old = 0, grown = 0;
   for (Eigen::Index i = 0; i < found.size(); ++i) {
@@ -99,6 +111,65 @@ TEST_F(Transplant, GoesOnFromThere) {
   }
   EXPECT_GT(old, 5);
   EXPECT_GT(grown, 20);
+}
+
+// Mirrors the first gene, draws the second from its seed, and refuses genomes whose third is high.
+class Elsewhere final : public Evaluator {
+ public:
+  int descriptor_size() const override { return 2; }
+  bool stochastic() const override { return true; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override {
+    for (Eigen::Index i = begin; i < end; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      batch.valid[row] = batch.genome(i, 2) < 0.9f;
+      batch.descriptor.row(i) << 1 - batch.genome(i, 0), Rng(seed.child(row)).uniform();
+      batch.fitness[i] = -batch.genome(i, 1);
+      batch.uncertainty[i] = batch.genome(i, 2);
+    }
+  }
+};
+
+TEST_F(Transplant, DescribesElitesAsTheyAreHere) {
+  const Elites elites = random_elites(200);
+  Workers workers(2);
+  const Elites here = described(elites, Elsewhere(), Seed(5), workers);
+  ASSERT_GT(here.size(), 150);
+  Eigen::Index at = 0;
+  for (Eigen::Index i = 0; i < elites.size(); ++i) {
+    if (elites.solution(i, 2) >= 0.9f) continue;
+    const auto row = static_cast<std::size_t>(i);
+    EXPECT_EQ(here.id[static_cast<std::size_t>(at)], elites.id[row]);
+    EXPECT_EQ(here.solution.row(at), elites.solution.row(i));
+    EXPECT_EQ(here.measures(at, 0), 1 - elites.solution(i, 0));
+    EXPECT_EQ(here.measures(at, 1), Rng(Seed(5).child(row)).uniform());
+    EXPECT_EQ(here.objective[at], -elites.solution(i, 1));
+    EXPECT_EQ(here.uncertainty[at], elites.solution(i, 2));
+    ++at;
+  }
+  EXPECT_EQ(here.size(), at);
+}
+
+// No generation more: what the container keeps of the elites as they are here; of one more, the rest of it.
+TEST_F(Transplant, EvolvesOnFromWhatTheElitesAreHere) {
+  const Elites elites = random_elites(100);
+  const auto evolved = [&](std::int64_t more) {
+    const std::filesystem::path checkpoint = folder_.path() / fmt::format("c{}", more),
+                                output = folder_.path() / fmt::format("{}.h5", more);
+    StageRun stage(folder_.path() / "slice.json", folder_.path(), output, checkpoint, 1);
+    table_.generations = 100;
+    evolve_on(stage, table_, more, elites, fixed_length(3, table_), Elsewhere(), Seed(2));
+    return read_elites(output);
+  };
+  const Elites kept = evolved(0), grown = evolved(20);
+  Workers workers(1);
+  const Elites here = described(elites, Elsewhere(), Seed(2).child("described"), workers);
+  const auto archive = make_distance_archive(3, 2, {0.09f, 0, 5, 0, 1});
+  for (Eigen::Index i = 0; i < here.size(); ++i) archive->add(candidate_of(here, i));
+  EXPECT_EQ(kept.id, archive->store().in_id_order().id);
+  EXPECT_EQ(read_progress(folder_.path() / "20.h5").front().generation, 81);
+  EXPECT_EQ(read_progress(folder_.path() / "20.h5").back().generation, 100);
+  for (const std::int64_t id : grown.id) EXPECT_TRUE(id < 300 || (id >= 800 && id < 1000)) << id;
+  EXPECT_GE(grown.size(), kept.size());
 }
 
 TEST_F(Transplant, RefusesCells) {

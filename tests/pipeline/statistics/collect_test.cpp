@@ -213,17 +213,48 @@ TEST(Collect, DynamicsOfDigitsAndJoints) {
   }
 }
 
-TEST(Collect, TunedDigitsAreComparedWithThoseBefore) {
+TEST(Collect, TunedLayersAreComparedWithThoseBeforeAndWithTheControl) {
   TemporaryFolder folder;
   SyntheticExperiment experiment(folder.path(), 3);
   experiment.tuned("nao", 200);
-  const json found = collect_statistics("tiny", experiment.artifacts());
-  EXPECT_NEAR(found["quantities"]["tuned.nao.before.good"]["median"].get<double>(), 0.5, 0.1);
-  EXPECT_NEAR(found["quantities"]["tuned.nao.after.mean"]["median"].get<double>(), -0.028, 0.001);
-  EXPECT_EQ(found["quantities"]["tuned.nao.arm.size"]["values"], (std::vector<double>{200, 200, 200}));
-  EXPECT_EQ(found["boxes"]["tuned.nao.after.difference"]["n"], 600);
-  EXPECT_EQ(found["tests"]["tuned.nao.after.mean_vs_tuned.nao.before.mean"]["a12"], 1);
-  EXPECT_FALSE(meaning_of("tuned.nao.arm.difference"));
+  experiment.tuned("arm", 200);
+  const json found = collect_statistics("tiny", experiment.artifacts()), &quantities = found["quantities"],
+             &tests = found["tests"], &boxes = found["boxes"];
+  const auto value = [&](const std::string& name, std::size_t r) {
+    return quantities["tuned." + name]["values"][r].get<double>();
+  };
+  for (std::size_t r = 0; r < 3; ++r) {
+    const Hdf5Reader file(folder.path() / fmt::format("nao_tuned/0{}.h5", r));
+    const auto share = [&](const std::string& state) {
+      const auto good = file.read<std::uint8_t>(state + "/good").values;
+      return static_cast<double>(std::accumulate(good.begin(), good.end(), 0)) / 200;
+    };
+    const auto mean_of = [&](const std::string& state) {
+      double sum = 0;
+      for (const float fitness : file.read<float>(state + "/objective").values)
+        sum += static_cast<double>(fitness);
+      return sum / 200;
+    };
+    for (const std::string state : {"top", "all"}) {
+      EXPECT_NEAR(value("nao." + state + ".mean", r), mean_of(state), 1e-12);
+      EXPECT_NEAR(value("nao." + state + ".gain", r), mean_of(state) - mean_of("before"), 1e-12);
+      EXPECT_NEAR(value("nao." + state + ".good_gain", r), share(state) - share("before"), 1e-12);
+    }
+    const auto line = file.read<float>("all/line_from_arm").values;
+    EXPECT_EQ(value("nao.all.line_from_arm", r), summarise({line.begin(), line.end()}, "line").median);
+  }
+  EXPECT_EQ(quantities["tuned.nao.before.size"]["values"], (std::vector<double>{200, 200, 200}));
+  EXPECT_EQ(boxes["tuned.nao.all.difference"]["n"], 600);
+  EXPECT_NEAR(boxes["tuned.nao.all.difference"]["max"].get<double>(), 2.8, 0.1);  // per cent
+  EXPECT_EQ(boxes["tuned.nao.before.arc_length"]["n"], 600);
+  EXPECT_FALSE(boxes.contains("tuned.nao.top.line"));
+  EXPECT_EQ(tests["tuned.nao.all.mean_vs_tuned.nao.before.mean"]["a12"], 1);
+  EXPECT_EQ(tests["tuned.arm.top.gain_vs_tuned.nao.top.gain"]["a12"], 0);  // the robot gains more
+  EXPECT_TRUE(tests.contains("tuned.nao.all.line_vs_tuned.nao.before.line"));
+  EXPECT_FALSE(tests.contains("tuned.arm.top.mean_vs_tuned.nao.top.mean"));
+  EXPECT_FALSE(tests.contains("tuned.arm.all.gain_vs_tuned.nao.top.gain"));
+  for (const char* none : {"tuned.nao.before.gain", "tuned.nao.top.line", "tuned.nao.after.mean"})
+    EXPECT_FALSE(meaning_of(none)) << none;
 }
 
 // Measures of the drawings against their definitions, pair by pair.
@@ -303,8 +334,8 @@ TEST(Collect, RefusesWhatIsNotAsDescribed) {
   refuses("nao_transfer/00.h5", [](Hdf5Writer& f) { f.write("absolute", std::vector<double>{1}); });
   refuses("nao_dynamics/00.h5", [](Hdf5Writer& f) { f.write("duration", std::vector<float>{}); });
   refuses("nao_tuned/00.h5", [](Hdf5Writer& f) {
-    f.write("arm/objective", std::vector<float>{1});
-    f.write("arm/good", std::vector<std::uint8_t>{1, 0});
+    f.write("before/objective", std::vector<float>{1});
+    f.write("before/good", std::vector<std::uint8_t>{1, 0});
   });
   refuses("digits/00.h5", [](Hdf5Writer& f) {
     f.write("hbr/image", Array<std::uint8_t>{{1, 28, 28}, std::vector<std::uint8_t>(784)});

@@ -19,7 +19,9 @@ TEST(ArtifactName, HasHeadVariantAndReplication) {
         Case{"nao_dynamics/07.h5", "dynamics", "nao", 7},
         Case{"layer2_n10_short/00.h5", "layer2", "n10_short", 0},
         Case{"flat_digits/09.h5", "flat_digits", "", 9}, Case{"judge.h5", "judge", "", -1},
-        Case{"nao_polish/01.h5", "polish", "nao", 1}, Case{"nao_plane.h5", "plane", "nao", -1}}) {
+        Case{"nao_polish/01.h5", "polish", "nao", 1}, Case{"nao_left_tuned/02.h5", "tuned", "nao_left", 2},
+        Case{"nao_tuned_lines/02.h5", "tuned_lines", "nao", 2},
+        Case{"arm_tuned_top/02.h5", "tuned_top", "arm", 2}, Case{"nao_plane.h5", "plane", "nao", -1}}) {
     const ArtifactName parsed = parse_artifact_name(c.name);
     EXPECT_EQ(parsed.head, c.head) << c.name;
     EXPECT_EQ(parsed.variant, c.variant) << c.name;
@@ -38,8 +40,8 @@ TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
        {"layer2.n10.size", "layer1.size", "reference4d.size", "layer3.b.fresh_mean", "flat_arcs.equal_mean",
         "accuracy.reference_endpoint", "substitution.m3.substitute", "transfer.nao.absolute_median",
         "dynamics.nao.arm_rms", "dynamics.nao.whole_torque_of.LHipPitch", "dynamics.nao.duration",
-        "digits.hbr.good_of_class.4", "autoencoder.kept_of_class.2", "judge.test_accuracy",
-        "layer4.generations", "genes.hierarchy"}) {
+        "tuned.arm.top.good_gain", "tuned.nao.all.arc_centre_from_arm", "digits.hbr.good_of_class.4",
+        "autoencoder.kept_of_class.2", "judge.test_accuracy", "layer4.generations", "genes.hierarchy"}) {
     const auto meaning = meaning_of(name);
     ASSERT_TRUE(meaning) << name;
     EXPECT_EQ(meaning->text.find("{}"), std::string::npos);
