@@ -78,6 +78,14 @@ std::string in_two_lines(const std::string& joint) {
   return joint;
 }
 
+// By the state of the layers: "tuned.nao.top.gain" is layer 4's; the arm in a robot's place is the control.
+Contender tuned_contender(const std::string& name) {
+  const std::size_t robot = name.find('.') + 1, state = name.find('.', robot) + 1;
+  const Contender who = contender(name.substr(state, name.find('.', state) - state));
+  if (name.substr(robot, state - robot) != "arm.") return {name, who.label, who.colour};
+  return {name, who.name == "before" ? "arm" : fmt::format("arm,\n{}", who.label), Colour::blue};
+}
+
 }  // namespace
 
 std::string robot_title(const std::string& name) {
@@ -93,6 +101,7 @@ std::string robot_title(const std::string& name) {
 }
 
 Contender contender(const std::string& name) {
+  if (name.starts_with("tuned.")) return tuned_contender(name);
   // The last word that the table knows: in "layer1.nao.size" NAO, not layer 1.
   std::istringstream words(name);
   const Row* who = nullptr;
@@ -104,10 +113,6 @@ Contender contender(const std::string& name) {
   if (const std::size_t dot = name.rfind('.');
       dot != std::string::npos && name.substr(0, dot).ends_with("_of"))
     return {name, in_two_lines(name.substr(dot + 1)), Colour::green};
-  // The arm in a robot's place, the control of the fine-tuning: "tuned.arm.top.gain".
-  if (name.starts_with("tuned.arm.") && who)
-    return {name, name.starts_with("tuned.arm.before") ? "arm" : fmt::format("arm,\n{}", who->label),
-            Colour::blue};
   return who ? Contender{name, who->label, who->colour} : Contender{name, name, Colour::grey};
 }
 

@@ -84,7 +84,7 @@ std::vector<std::string> greatest(const StatisticsView& statistics, const std::s
   return names;
 }
 
-// " NAO, 345 digits, medians: arm 0.0625 mm from its way, 12.1 % of a torque limit, 3.1 times the pace; ..."
+// " NAO, medians of 345 digits: arm 0.0613 mm from its way, ...; body ..."
 std::string measured_words(const StatisticsView& statistics, const std::string& name,
                            const std::string& robot) {
   std::string text;
@@ -93,14 +93,14 @@ std::string measured_words(const StatisticsView& statistics, const std::string& 
                torque = statistics.box(name + player + "_torque"),
                faster = statistics.box(name + player + "_faster");
     if (!rms || !torque || !faster) continue;
-    if (text.empty()) text = fmt::format(" {}, medians of {} digits:", escape_html(robot), rms->all.n);
+    text += text.empty() ? fmt::format(" {}, medians of {} digits:", escape_html(robot), rms->all.n) : ";";
     text += fmt::format(
-        " {} {} from its way (root mean square), at {} of a torque limit, a limit would be reached at {} "
-        "times the pace.",
-        words, format_quantity(rms->all.median, "mm"), format_quantity(torque->all.median, "%"),
+        " {} {} mm (root mean square) from its way, at most {} of a torque limit, a limit reached "
+        "at {} times the pace",
+        words, format_number(rms->all.median), format_quantity(torque->all.median, "%"),
         format_number(faster->all.median));
   }
-  return text;
+  return text.empty() ? "" : text + ".";
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ Figure dynamics_figure(const Evidence& evidence) {
     add(of({"wanted_absolute", "arm_absolute", "whole_absolute"}),
         {.title = "difference per pixel", .unit = "% of white against black", .from_zero = true, .span = 3});
     add(of({"arm_rms", "arm_max", "whole_rms", "whole_max"}),
-        {.title = "distance from the way", .unit = "µm", .logarithmic = true, .scale = 1000});
+        {.title = "distance from the way", .unit = "µm (1k: 1 mm)", .logarithmic = true, .scale = 1000});
     add(of({"arm_torque", "whole_torque", "arm_speed", "whole_speed"}),
         {.title = "greatest load", .unit = "% of the limit", .from_zero = true});
     add(of({"arm_faster", "whole_faster"}),

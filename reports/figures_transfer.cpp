@@ -67,7 +67,7 @@ std::vector<Pair> worst(const std::vector<Pair>& pairs) {
 // The arm's digit above the robot's, their difference below.
 Panel pairs_panel(const std::string& title, const std::vector<Pair>& pairs, const std::string& robot) {
   constexpr int kPixels = 84;
-  constexpr double kWidth = 500, kEdge = 40, kCell = (kWidth - kEdge) / kColumns, kRow = 2 * kCell + 24;
+  constexpr double kWidth = 500, kEdge = 68, kCell = (kWidth - kEdge) / kColumns, kRow = 2 * kCell + 24;
   std::string body;
   for (int row = 0; row < kRows && static_cast<std::size_t>(row * kColumns) < pairs.size(); ++row) {
     InkSheet sheet(kColumns * kPixels, 2 * kPixels);

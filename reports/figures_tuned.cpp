@@ -84,7 +84,7 @@ Figure tuned_figure(const Evidence& evidence) {
       return BoxOptions{.title = robot + ": " + title,
                         .unit = unit,
                         .figure = figure.id,
-                        .from_zero = span == 2 && scale == 1000,
+                        .from_zero = scale == 1000,
                         .scale = scale,
                         .span = span};
     };
@@ -108,17 +108,20 @@ Figure tuned_figure(const Evidence& evidence) {
     add(box_panel(evidence.statistics,
                   {arm + "top.gain", name + "top.gain", arm + "all.gain", name + "all.gain"},
                   options("gain, and the arm’s", "fitness", 1, 2), figure.table));
+    add(pooled_box_panel(evidence.statistics,
+                         {arm + "before.arc_fitness", name + "before.arc_fitness", name + "all.arc_fitness"},
+                         options("fitness of arcs, from fresh starts", "fitness", 1, 3), figure.table));
     for (const auto& [measure, title] :
          {std::pair<std::string, const char*>{"line", "lines, from what was asked"},
           {"arc_centre", "centres of arcs, from what was asked"},
           {"arc_length", "lengths of arcs, from what was asked"}})
       add(pooled_box_panel(evidence.statistics,
                            {arm + "before." + measure, name + "before." + measure, name + "all." + measure},
-                           options(title, "mm of the arm", 1000, 2), figure.table));
+                           options(title, "mm of the arm", 1000, 3), figure.table));
     const auto gain = evidence.statistics.quantity(name + "top.gain"),
                control = evidence.statistics.quantity(arm + "top.gain");
     if (!gain.empty() && !control.empty())
-      gains += fmt::format(" {}: layer 4 alone gains {} where the arm gains {} (medians).",
+      gains += fmt::format(" {}: layer 4 alone gains {} where the arm’s gains {} (medians).",
                            escape_html(robot), format_number(summarise(gain, "gain").median),
                            format_number(summarise(control, "gain").median));
   }
@@ -131,17 +134,19 @@ Figure tuned_figure(const Evidence& evidence) {
       "on "
       "the arm; before: the same by the robot; layer 4: the digits evolved on over the arm’s lines and arcs; "
       "all: "
-      "lines, arcs and digits evolved on, each over the one below. The arm with a state: the control, the "
-      "arm’s own "
-      "layers evolved on for as long. Places are those of the arm’s digits in the latent space: at each "
-      "stands the "
-      "digit that is nearest, and how much its pixels differ from the arm’s. Fitness is minus the network’s "
-      "error "
-      "(mean of a repertoire); good is what the judge says; a gain is the mean fitness above that before. "
-      "Lines and "
-      "arcs are asked for at the places that the arm’s repertoires hold; what is left on the arm is how far "
-      "one execution is "
-      "from the median of many that a descriptor is. p: rank-sum test over the replications." +
+      "lines, arcs and digits evolved on, each over the one below. The arm with one of these: the control, "
+      "the "
+      "arm’s own layers evolved on for as long. Places are those of the arm’s digits in the latent space: at "
+      "each "
+      "stands the digit that is nearest, and how much its pixels differ from the arm’s; before, that is the "
+      "same "
+      "genome as a rule. Fitness is minus the network’s error, the mean of a repertoire; good is what the "
+      "judge "
+      "says; a gain is the mean fitness above that before. Lines and arcs are asked for beside the places "
+      "that the "
+      "arm’s repertoires hold; what is left on the arm is how far one execution is from the median of many "
+      "that "
+      "a descriptor is. p: rank-sum test over the replications." +
       gains;
   return figure;
 }

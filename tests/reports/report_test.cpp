@@ -1,5 +1,6 @@
 #include "reports/report.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,6 +10,8 @@
 #include <map>
 
 #include "pipeline/core/check.h"
+#include "reports/figure.h"
+#include "reports/format.h"
 #include "tests/reports/synthetic_pictures.h"
 
 namespace hbr {
@@ -103,6 +106,72 @@ TEST_F(ReportTest, NeedsNothingFromElsewhere) {
   }
   EXPECT_GT(ids.size(), 50u);
   for (const auto& [id, times] : ids) EXPECT_EQ(times, 1) << id;
+}
+
+// What figures say of robots in numbers is what the statistics hold, and is not said where they do not.
+TEST_F(ReportTest, SaysWhatWasMeasuredOfRobots) {
+  const auto page = [&](const ReportContent& content) {
+    fs::remove_all(folder_ / "report");
+    write_report(content, folder_ / "report");
+    return read(folder_ / "report/index.html");
+  };
+  ReportContent content = full();
+  const auto number = [&](const char* table, const char* name, const char* which) {
+    return content.statistics[table][name][which].get<double>();
+  };
+  const auto box = [&](const char* name, const char* which) { return number("boxes", name, which); };
+  const auto median = [&](const char* name) { return number("quantities", name, "median"); };
+  const char* difference = "transfer.nao.absolute";
+  const std::vector<std::string> sentences{
+      fmt::format(
+          "With the digit’s own box filling the image, the absolute difference is, in the median [least; "
+          "greatest without outliers]: NAO {:.2f} % [{:.2f}; {:.2f}] ({:.1f} % of ",
+          box(difference, "median"), box(difference, "low"), box(difference, "high"),
+          100 * box(difference, "above") / box(difference, "n")),
+      fmt::format("NAO reaches {}, holds {} within l as evolved and {} when moved.",
+                  format_quantity(100 * number("numbers", "plane.nao.covered", "value"), "%"),
+                  format_quantity(100 * median("polish.nao.within_before"), "%"),
+                  format_quantity(100 * median("polish.nao.within_after"), "%")),
+      fmt::format(
+          "digits: arm {} mm (root mean square) from its way, at most {} of a torque limit, a limit reached "
+          "at {} times the pace; body {} mm",
+          format_number(box("dynamics.nao.arm_rms", "median")),
+          format_quantity(box("dynamics.nao.arm_torque", "median"), "%"),
+          format_number(box("dynamics.nao.arm_faster", "median")),
+          format_number(box("dynamics.nao.whole_rms", "median"))),
+      fmt::format("NAO: layer 4 alone gains {} where the arm’s gains {} (medians).",
+                  format_number(median("tuned.nao.top.gain")), format_number(median("tuned.arm.top.gain"))),
+  };
+  const std::string whole = page(content);
+  for (const std::string& sentence : sentences) EXPECT_THAT(whole, HasSubstr(sentence));
+  EXPECT_THAT(whole, HasSubstr("does not say what its images show: 0.92 % [0.10; 2.11]"));
+
+  // Boxes hold the statistics' numbers, each under the name of its state of the layers.
+  const std::string table = read(folder_ / "report/figures/tuned.csv");
+  const auto row = [&](const std::string& panel, const std::string& label, int x, double value) {
+    Table one;
+    one.add("NAO: " + panel, label, x, "median", value);
+    const std::string text = one.csv();
+    return text.substr(text.find("NAO"));
+  };
+  const std::string mean = "mean fitness of the digits", line = "lines, from what was asked";
+  for (const std::string& expected : {row(mean, "arm", 1, median("tuned.arm.before.mean")),
+                                      row(mean, "before", 2, median("tuned.nao.before.mean")),
+                                      row(mean, "layer 4", 3, median("tuned.nao.top.mean")),
+                                      row(mean, "all", 4, median("tuned.nao.all.mean")),
+                                      row(line, "arm", 1, 1000 * box("tuned.arm.before.line", "median")),
+                                      row(line, "all", 3, 1000 * box("tuned.nao.all.line", "median"))})
+    EXPECT_THAT(table, HasSubstr(expected));
+
+  // And a digit that does not move, whose distance from its way has no logarithm.
+  content.statistics["boxes"]["dynamics.nao.whole_rms"]["low"] = 0;
+  for (const char* name : {"transfer.nao.absolute", "dynamics.nao.arm_faster"})
+    content.statistics["boxes"].erase(name);
+  for (const char* name : {"polish.nao.within_after", "tuned.arm.top.gain"})
+    content.statistics["quantities"].erase(name);
+  const std::string less = page(content);
+  for (const char* unsaid : {"outliers]: NAO", "digits: arm ", "NAO reaches", "where the arm’s gains"})
+    EXPECT_THAT(less, Not(HasSubstr(unsaid)));
 }
 
 TEST_F(ReportTest, SaysWhatIsMissing) {
