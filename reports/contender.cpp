@@ -53,7 +53,7 @@ constexpr std::array kContenders = {
     Row{"arc_length", "arc,\nlength", Colour::orange},
     Row{"arm", "arm", Colour::blue},
     Row{"before", "before", Colour::vermilion},
-    Row{"top", "layer 4", Colour::orange},
+    Row{"top", "layer 4", Colour::orange},  // a no-break space
     Row{"all", "all", Colour::green},
     Row{"wanted_absolute", "asked", Colour::grey},
     Row{"arm_absolute", "arm", Colour::blue},

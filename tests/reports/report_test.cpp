@@ -157,7 +157,7 @@ TEST_F(ReportTest, SaysWhatWasMeasuredOfRobots) {
   const std::string mean = "mean fitness of the digits", line = "lines, from what was asked";
   for (const std::string& expected : {row(mean, "arm", 1, median("tuned.arm.before.mean")),
                                       row(mean, "before", 2, median("tuned.nao.before.mean")),
-                                      row(mean, "layer 4", 3, median("tuned.nao.top.mean")),
+                                      row(mean, "layer 4", 3, median("tuned.nao.top.mean")),
                                       row(mean, "all", 4, median("tuned.nao.all.mean")),
                                       row(line, "arm", 1, 1000 * box("tuned.arm.before.line", "median")),
                                       row(line, "all", 3, 1000 * box("tuned.nao.all.line", "median"))})
