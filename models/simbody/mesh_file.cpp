@@ -114,6 +114,8 @@ std::vector<Mesh> unpacked(const std::string& bytes) {
   return meshes;
 }
 
+constexpr float kLargest = 1e9f;  // m; squares must not overflow
+
 aiMesh* mesh_to(const Mesh& mesh, unsigned material, const std::string& name) {
   auto* out = new aiMesh;
   out->mName = name;
@@ -182,7 +184,12 @@ std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale
       unpacked(reader.run(path.string(), [&] { return packed(read_scene(path, uncoloured)); }));
   const bool inside_out = scale.prod() < 0;
   for (Mesh& mesh : meshes) {
-    for (Eigen::Vector3f& vertex : mesh.vertices) vertex = vertex.cwiseProduct(scale.cast<float>());
+    for (Eigen::Vector3f& vertex : mesh.vertices) {
+      vertex = vertex.cwiseProduct(scale.cast<float>());
+      if (!(vertex.cwiseAbs().maxCoeff() <= kLargest))
+        throw InputError("{}: at {:.3g} m from its origin; expected a mesh, by its scale, within {:g} m",
+                         path.string(), vertex.norm(), kLargest);
+    }
     for (Eigen::Vector3f& normal : mesh.normals)
       normal = normal.cwiseQuotient(scale.cast<float>()).normalized();
     if (inside_out)

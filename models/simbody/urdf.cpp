@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 #include <urdf_parser/urdf_parser.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <fstream>
@@ -81,6 +82,8 @@ Visual visual(const urdf::Visual& in, const std::string& where) {
   if (!in.geometry) throw InputError("{}: <visual> has no geometry", where);
   if (auto* mesh = dynamic_cast<const urdf::Mesh*>(in.geometry.get())) {
     out.mesh = mesh->filename;
+    if (std::ranges::any_of(out.mesh, [](unsigned char c) { return std::iscntrl(c); }))
+      throw InputError("{}: the name of a mesh, '{}', holds a control character", where, out.mesh);
     out.size = vector(mesh->scale);
   } else if (auto* box = dynamic_cast<const urdf::Box*>(in.geometry.get())) {
     out.kind = Visual::Kind::box;
@@ -181,10 +184,11 @@ void check_masses(const RobotModel& model, const UrdfOutline& outline) {
 }
 
 RobotModel read_urdf(const std::filesystem::path& path) {
-  std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path, ignored))
-    throw InputError("{}: can't be read; expected a URDF", path.string());
+  std::error_code ignored;  // a pipe might never end
+  const bool is_file = std::filesystem::is_regular_file(path, ignored);
+  std::ifstream file;
+  if (is_file) file.open(path, std::ios::binary);
+  if (!is_file || !file) throw InputError("{}: can't be read; expected a URDF", path.string());
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 
   const UrdfOutline outline = read_outline(path, text);
@@ -225,6 +229,8 @@ RobotModel load_urdf(const std::filesystem::path& path) {
     std::string line = error.what();  // names and values of the file may hold anything
     for (char& c : line)
       if (std::iscntrl(static_cast<unsigned char>(c))) c = ' ';
+    constexpr std::size_t kLongest = 1000;
+    if (line.size() > kLongest) line = line.substr(0, kLongest) + " ...";
     throw InputError("{}", line);
   }
 }

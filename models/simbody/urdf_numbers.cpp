@@ -14,17 +14,21 @@ namespace {
 struct Numbers {
   std::string_view element, attribute;
   int count;
+  double most;  // in magnitude: beyond it sums and squares overflow, and nothing is that large
 };
+constexpr double kLength = 1e6, kWeight = 1e15, kLimit = 1e18;  // some write 1e16 for "no limit"
 constexpr Numbers kNumbers[] = {
-    {"origin", "xyz", 3},    {"origin", "rpy", 3},      {"axis", "xyz", 3},        {"box", "size", 3},
-    {"mesh", "scale", 3},    {"color", "rgba", 4},      {"cylinder", "radius", 1}, {"cylinder", "length", 1},
-    {"sphere", "radius", 1}, {"mass", "value", 1},      {"inertia", "ixx", 1},     {"inertia", "ixy", 1},
-    {"inertia", "ixz", 1},   {"inertia", "iyy", 1},     {"inertia", "iyz", 1},     {"inertia", "izz", 1},
-    {"limit", "lower", 1},   {"limit", "upper", 1},     {"limit", "effort", 1},    {"limit", "velocity", 1},
-    {"mimic", "offset", 1},  {"mimic", "multiplier", 1}};
+    {"origin", "xyz", 3, kLength},      {"origin", "rpy", 3, kLength},      {"axis", "xyz", 3, kLength},
+    {"box", "size", 3, kLength},        {"mesh", "scale", 3, kLength},      {"color", "rgba", 4, kLength},
+    {"cylinder", "radius", 1, kLength}, {"cylinder", "length", 1, kLength}, {"sphere", "radius", 1, kLength},
+    {"mass", "value", 1, kWeight},      {"inertia", "ixx", 1, kWeight},     {"inertia", "ixy", 1, kWeight},
+    {"inertia", "ixz", 1, kWeight},     {"inertia", "iyy", 1, kWeight},     {"inertia", "iyz", 1, kWeight},
+    {"inertia", "izz", 1, kWeight},     {"limit", "lower", 1, kLimit},      {"limit", "upper", 1, kLimit},
+    {"limit", "effort", 1, kLimit},     {"limit", "velocity", 1, kLimit},   {"mimic", "offset", 1, kLength},
+    {"mimic", "multiplier", 1, kLength}};
 
-// How many finite numbers a text holds; -1 where it holds something else.
-int finite_numbers(std::string_view text) {
+// How many numbers of at most this magnitude a text holds; -1 where it holds something else.
+int count_numbers(std::string_view text, double most) {
   constexpr std::string_view kSpace = " \t\r\n";
   int count = 0;
   for (;;) {
@@ -36,7 +40,7 @@ int finite_numbers(std::string_view text) {
     if (word.starts_with('+')) word.remove_prefix(1);
     double number;
     const auto [end, error] = std::from_chars(word.begin(), word.end(), number);
-    if (error != std::errc() || end != word.end() || !std::isfinite(number)) return -1;
+    if (error != std::errc() || end != word.end() || !(std::abs(number) <= most)) return -1;
     ++count;
   }
 }
@@ -46,10 +50,10 @@ void check_below(const std::string& path, const TiXmlElement& parent, const std:
     for (const Numbers& n : kNumbers) {
       if (e->ValueStr() != n.element) continue;
       const char* text = e->Attribute(n.attribute.data());
-      if (text && finite_numbers(text) != n.count)
-        throw InputError("{}:{}: {} of <{}> in {} is '{}'; expected {}", path, e->Row(), n.attribute,
-                         n.element, what, text,
-                         n.count == 1 ? "a number" : fmt::format("{} numbers", n.count));
+      if (text && count_numbers(text, n.most) != n.count)
+        throw InputError("{}:{}: {} of <{}> in {} is '{}'; expected {} within {:g}", path, e->Row(),
+                         n.attribute, n.element, what, text,
+                         n.count == 1 ? "a number" : fmt::format("{} numbers", n.count), n.most);
     }
     check_below(path, *e, what);
   }

@@ -4,6 +4,7 @@
 #include <tinyxml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 
@@ -35,6 +36,7 @@ class Reader {
   }
 
   UrdfOutline read() {
+    refuse_xacro(*robot_);
     read_links();
     read_joints();
     check_numbers(path_, *robot_);
@@ -42,10 +44,22 @@ class Reader {
   }
 
  private:
+  void refuse_xacro(const TiXmlElement& above) const {
+    for (auto* e = above.FirstChildElement(); e; e = e->NextSiblingElement()) {
+      if (e->ValueStr().starts_with("xacro:"))
+        throw InputError("{}:{}: <{}>: this is a xacro, not yet a URDF; expected what xacro makes of it",
+                         path_, e->Row(), e->ValueStr());
+      refuse_xacro(*e);
+    }
+  }
   // The attribute of an element, or of its child of that name.
   std::string attribute(const TiXmlElement& element, const char* key, const std::string& what) const {
     const char* value = element.Attribute(key);
     if (!value || !*value) throw InputError("{}:{}: {} has no '{}'", path_, element.Row(), what, key);
+    for (const char* c = value; *c; ++c)
+      if (std::iscntrl(static_cast<unsigned char>(*c)))
+        throw InputError("{}:{}: {} has a control character in its {} '{}'", path_, element.Row(), what, key,
+                         value);
     return value;
   }
   std::string end(const TiXmlElement& joint, const char* side, const std::string& what) const {

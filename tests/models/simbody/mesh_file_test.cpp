@@ -230,6 +230,8 @@ TEST(MeshFile, RefusesWhatIsNoMesh) {
   }
   EXPECT_THROW(load_meshes(folder.path() / "missing.obj"), InputError);
   EXPECT_THROW(load_meshes(folder.path()), InputError);
+  EXPECT_THROW(load_meshes(folder.write("huge.obj", "v 0 0 0\nv 1e8 0 0\nv 0 1 0\nf 1 2 3\n"), {100, 1, 1}),
+               InputError);
 }
 
 TEST(MeshFile, RefusesAPlaceItCannotWrite) {

@@ -1,6 +1,7 @@
 // Every way in which a URDF can be wrong ends in one clear line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "models/simbody/body.h"
 #include "models/simbody/robot_model.h"
@@ -44,7 +45,8 @@ std::vector<Bad> bad_urdfs() {
       {"NamelessLink", robot("<link/>"), "a <link> has no 'name'"},
       {"TwinLinks", robot(link("a") + link("a")), "second link 'a'"},
       {"TwinJoints", robot(ab + link("c") + joint("j", "a", "b") + joint("j", "b", "c")), "second joint 'j'"},
-      {"NameOfTwoLines", robot(ab + joint("j\nk", "a", "b", "ball")), "joint 'j k' has type"},
+      {"NameOfTwoLines", robot(ab + joint("j\nk", "a", "b", "ball")),
+       "a <joint> has a control character in its name 'j k'"},
       {"NamelessJoint", robot(ab + joint("", "a", "b")), "a <joint> has no 'name'"},
       {"UnknownType", robot(ab + joint("j", "a", "b", "ball")), "joint 'j' has type 'ball'.*prismatic"},
       {"Floating", robot(ab + joint("j", "a", "b", "floating")), "type 'floating'"},
@@ -170,6 +172,45 @@ std::vector<Bad> bad_urdfs() {
                  joint("j", "a", "b")),
        "size"},
       {"NoGeometry", two_links(link("b", inertial() + "<visual/>") + joint("j", "a", "b")), "."},
+      {"NotUtf8", std::string("\xff\xfe<\0r\0o\0b\0o\0t\0/\0>\0", 18), "not XML"},
+      {"Xacro", two_links("<link name=\"b\"><xacro:inertia mass=\"1\"/></link>" + joint("j", "a", "b")),
+       ":4: <xacro:inertia>: this is a xacro"},
+      {"HugeMass", two_links(link("b", inertial("1e308")) + joint("j", "a", "b")),
+       ":4: value of <mass>.*expected a number within 1e.15"},
+      {"HugeInertia",
+       two_links(link("b", inertial("1", R"(ixx="1e200" iyy="1e200" izz="1e200")")) + joint("j", "a", "b")),
+       "ixx of <inertia>.*within 1e.15"},
+      {"HugeOrigin", two_links(link("b", visual(R"(<origin xyz="0 0 -1e200"/>)")) + joint("j", "a", "b")),
+       "xyz of <origin>.*3 numbers within 1e.06"},
+      {"HugeAxis", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="1e200 0 0"/>)" + kLimit)),
+       "xyz of <axis>"},
+      {"HugeLimits",
+       robot(ab + joint("j", "a", "b", "prismatic",
+                        R"(<limit lower="-1e308" upper="1e308" effort="1" velocity="1"/>)")),
+       "lower of <limit>.*within 1e.18"},
+      {"HugeMimic",
+       robot(ab + link("c") + joint("k", "a", "b") +
+             joint("j", "b", "c", "prismatic", R"(<mimic joint="k" multiplier="1e300"/>)" + kLimit)),
+       "multiplier of <mimic>"},
+      {"HugeScale",
+       two_links(
+           link("b", R"(<visual><geometry><mesh filename="a.obj" scale="1e300 1 1"/></geometry></visual>)") +
+           joint("j", "a", "b")),
+       "scale of <mesh>"},
+      {"HugeSphere",
+       two_links(link("b", "<visual><geometry><sphere radius=\"1e30\"/></geometry></visual>") +
+                 joint("j", "a", "b")),
+       "radius of <sphere>"},
+      {"LinkOfTwoLines", robot(link("a\nb")), "a <link> has a control character in its name 'a b'"},
+      {"MeshOfTwoLines",
+       two_links(link("b", "<visual><geometry><mesh filename=\"a&#10;b.obj\"/></geometry></visual>") +
+                 joint("j", "a", "b")),
+       "name of a mesh, 'a b.obj', holds a control character"},
+      {"EndlessName", robot(link(std::string(3000, 'x')) + link(std::string(3000, 'x'))), "xxx \\.\\.\\.$"},
+      {"MimicsInACircle",
+       robot(ab + link("c") + joint("k", "a", "b", "revolute", R"(<mimic joint="j"/>)" + kLimit) +
+             joint("j", "b", "c", "revolute", R"(<mimic joint="k"/>)" + kLimit)),
+       "is a mimic joint too"},
       {"BadVersion", "<robot name=\"a\" version=\"x\"><link name=\"a\"/></robot>", "ersion"},
   };
 }
@@ -196,7 +237,9 @@ INSTANTIATE_TEST_SUITE_P(Urdf, BadUrdf, testing::ValuesIn(bad_urdfs()),
 
 TEST(Urdf, WhatIsNoFileIsRefused) {
   const TestFolder folder;
-  for (const auto& path : {folder.path() / "missing.urdf", folder.path()}) {
+  ASSERT_EQ(mkfifo((folder.path() / "pipe.urdf").c_str(), 0600), 0);
+  for (const auto& path : {folder.path() / "missing.urdf", folder.path(), folder.path() / "pipe.urdf",
+                           std::filesystem::path("/dev/zero")}) {
     try {
       load_urdf(path);
       ADD_FAILURE() << path << " taken without a word";
