@@ -17,7 +17,7 @@ double enlarged(const DrawingPlane& plane) { return plane.scale / 0.258; }
 
 Posed strokes(const DrawingPlane& plane, const Drawing& drawing, std::size_t last) {
   Posed ink{"strokes", {}};
-  const double radius = 0.0030 * enlarged(plane), shortest = 1e-4 * enlarged(plane);  // m
+  const double radius = 0.0024 * enlarged(plane), shortest = 1e-4 * enlarged(plane);  // m
   Eigen::Vector3d from = plane.to_robot(drawing.pen[0]);
   for (std::size_t i = 1; i <= last; ++i) {
     const Eigen::Vector3d to = plane.to_robot(drawing.pen[i]);
@@ -37,7 +37,7 @@ std::vector<Posed> board(const DrawingPlane& plane, double half_side, double flo
   pose.linear().col(2) = plane.normal();
   pose.translation() = plane.origin - rail * plane.normal();
   Mesh pane = coloured(rounded_box({2 * half, 2 * half, rail}, rail / 4), kGlass);
-  pane.opacity = 0.24f;
+  pane.opacity = 0.16f;
   Posed frame{"frame", {}, pose};
   for (const double side : {-1., 1.}) {
     frame.meshes.push_back(coloured(rod({-half, side * half, 0}, {half, side * half, 0}, rail), kFrame));

@@ -8,6 +8,7 @@
 
 #include "models/nao/nao_meshes.h"
 #include "models/simbody/body.h"
+#include "models/simbody/find_mesh.h"
 #include "models/simbody/mesh_file.h"
 #include "tests/models/simbody/urdf_text.h"
 
