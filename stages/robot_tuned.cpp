@@ -144,11 +144,10 @@ void run(StageRun& stage) {
   const LineLayer lines = read_lines(stage, "layer2", frame), tuned_lines = read_lines(stage, "lines", frame);
   const ArcLayer arcs = read_arcs(stage, "layer3", frame, s.controller),
                  tuned_arcs = read_arcs(stage, "arcs", frame, s.controller);
-  const auto over = [&](const PointLayer& below, const LineLayer& l, const ArcLayer& a) {
-    return Hierarchy(below, l, a, frame, s.line_spacing, out_of_range(s.out_of_range));
+  const auto over = [&](const PointLayer& below) {
+    return Hierarchy(below, lines, arcs, frame, s.line_spacing, out_of_range(s.out_of_range));
   };
-  const Hierarchy by_arm = over(arm_points, lines, arcs), by_robot = over(points, lines, arcs),
-                  by_tuned = over(points, tuned_lines, tuned_arcs);
+  const Hierarchy by_arm = over(arm_points), by_robot = over(points);
   const auto descriptor = load_descriptor(stage.input("descriptor"));
   const Pencil pencil = make_pencil(s.pencil);
   Workers workers(stage.threads());
@@ -166,14 +165,15 @@ void run(StageRun& stage) {
   const Bytes arm_images = draw_all(by_arm, pencil, digits, workers);
   file.write("arm/image", {static_cast<std::size_t>(digits.size()), kImageSide, kImageSide},
              arm_images.data());
-  const auto write = [&](const char* state, const Hierarchy& hierarchy, const Elites& elites) {
-    write_digits(file, state, elites, draw_all(hierarchy, pencil, elites, workers), digits.measures,
-                 arm_images, judge, workers);
+  const auto write = [&](const char* state, const Elites& elites, const Bytes& images) {
+    write_digits(file, state, elites, images, digits.measures, arm_images, judge, workers);
   };
-  write("before", by_robot,
-        described(digits, DigitEvaluator(by_robot, pencil, *descriptor), Seed(s.seed), workers));
-  write("top", by_robot, read_elites(stage.input("top")));
-  write("all", by_tuned, read_elites(stage.input("all")));
+  const Elites before =
+      described(digits, DigitEvaluator(by_robot, pencil, *descriptor), Seed(s.seed), workers);
+  write("before", before, draw_all(by_robot, pencil, before, workers));
+  for (const char* state : {"top", "all"})
+    write(state, read_elites(stage.input(state)),
+          Hdf5Reader(stage.input(state)).read<std::uint8_t>("image").values);
   file.close();
 }
 

@@ -6,6 +6,7 @@
 
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/drawing/draw.h"
+#include "tests/end_to_end/expect_robots.h"
 #include "tests/end_to_end/tiny_experiment.h"
 
 namespace hbr {
@@ -110,6 +111,14 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
 
   expect_strokes_draw_the_images(experiment.out("one"), experiment.out("one/strokes/00.h5"));
   expect_strokes_of_the_surest(experiment.out("one"));
+  const RobotArtifacts robots(experiment.out("one"));
+  for (const char* robot : {"nao", "nao_left", "industrial"}) {
+    SCOPED_TRACE(robot);
+    robots.expect_transfer(robot);
+    robots.expect_dynamics(robot);
+    robots.expect_tuned(robot);
+  }
+  robots.expect_tuned("arm");
 
   // The page says what was found: its templates' fields are filled, no number is undefined.
   const std::string publish = HBR_BINARY_DIR "/bin/publish " + experiment.out("one/page").string() + " " +
