@@ -1,8 +1,8 @@
 // Layer 1 of another robot (paper, section 5.2): points on a plane of its space, scaled to the arm's drawing
 // area.
+#include "models/simbody/clearance.h"
 #include "models/simbody/plane_file.h"
 #include "models/simbody/robot_on_plane.h"
-#include "models/simbody/self_collision.h"
 #include "stages/evolve.h"
 
 namespace {
@@ -22,11 +22,14 @@ void describe(Fields& f, RobotPointsEvolution& s) {
   f.table("search", s.search, "the search");
 }
 
-// Points without the configurations that run the robot into itself.
+// Points without the configurations that run the robot into itself or its board.
 class FreePoints final : public hbr::Evaluator {
  public:
-  FreePoints(const hbr::PointEvaluator& points, const hbr::RobotOnPlane& robot)
-      : points_(points), robot_(robot), collision_(robot.body()) {}
+  FreePoints(const hbr::PointEvaluator& points, const hbr::RobotOnPlane& robot, double half_side)
+      : points_(points),
+        robot_(robot),
+        clearance_(robot.body(), robot.tip()),
+        board_{robot.plane(), half_side} {}
   int descriptor_size() const override { return points_.descriptor_size(); }
   bool deterministic() const override { return true; }
   void evaluate(hbr::Batch& batch, Eigen::Index begin, Eigen::Index end, hbr::Seed seed) const override {
@@ -35,14 +38,15 @@ class FreePoints final : public hbr::Evaluator {
     for (Eigen::Index i = begin; i < end; ++i) {
       if (!batch.valid[i]) continue;
       hbr::decode_joints(robot_, batch.genome.row(i).data(), joints.data());
-      batch.valid[i] = !collision_.collides(joints.data());
+      batch.valid[i] = clearance_.clear(joints.data(), board_);
     }
   }
 
  private:
   const hbr::PointEvaluator& points_;
   const hbr::RobotOnPlane& robot_;
-  hbr::SelfCollision collision_;
+  hbr::Clearance clearance_;
+  hbr::Board board_;
 };
 
 void run(hbr::StageRun& stage) {
@@ -52,7 +56,7 @@ void run(hbr::StageRun& stage) {
                                    s.robot.off_plane_tolerance);
 
   evolve(stage, s.search, hbr::fixed_length(static_cast<int>(robot.dof()), s.search),
-         FreePoints(points, robot), hbr::Seed(s.seed).child(stage.stage()).child(s.replication));
+         FreePoints(points, robot, s.half_side), hbr::Seed(s.seed).child(stage.stage()).child(s.replication));
 }
 
 }  // namespace

@@ -33,23 +33,23 @@ void describe(Fields& f, PlaneStage& s) {
 
 // A tip that needs the last of a joint's range leaves the search of layer 1 few ways to get there.
 constexpr double kMargin = 0.05;
-constexpr int kSamples = 20000;       // starts for inverse kinematics
-constexpr std::size_t kPoints = 200;  // that the plane is fitted to; coverage counts all
+constexpr int kSamples = 20000;  // starts for inverse kinematics
 // While the plane is sought, a point counts as covered within this share of the tolerance: layer 1 needs the
 // rest.
 constexpr double kStrict = 0.1;
 
 // Half of them the outermost in each direction, where a plane fails first, half over all.
-std::vector<Eigen::Vector2d> some_of(const std::vector<Eigen::Vector2d>& points) {
-  constexpr std::size_t kHalf = kPoints / 2;
-  std::vector<Eigen::Vector2d> some(kHalf, Eigen::Vector2d::Zero());
+std::vector<Eigen::Vector2d> some_of(const std::vector<Eigen::Vector2d>& points, int count) {
+  const auto half = static_cast<std::size_t>(count) / 2;
+  std::vector<Eigen::Vector2d> some(half, Eigen::Vector2d::Zero());
   for (const Eigen::Vector2d& p : points) {
     const double turn = std::atan2(p[1], p[0]) / (2 * std::numbers::pi) + 0.5;  // in [0, 1]
-    Eigen::Vector2d& outermost = some[std::min(static_cast<std::size_t>(turn * kHalf), kHalf - 1)];
+    Eigen::Vector2d& outermost =
+        some[std::min(static_cast<std::size_t>(turn * static_cast<double>(half)), half - 1)];
     if (p.squaredNorm() > outermost.squaredNorm()) outermost = p;
   }
-  for (std::size_t i = 0; i < std::min(kHalf, points.size()); ++i)
-    some.push_back(points[i * points.size() / std::min(kHalf, points.size())]);
+  for (std::size_t i = 0; i < std::min(half, points.size()); ++i)
+    some.push_back(points[i * points.size() / std::min(half, points.size())]);
   return some;
 }
 
@@ -68,24 +68,25 @@ void run(StageRun& stage) {
 
   // It stands nowhere yet.
   const RobotOnPlane robot = make_robot(settings.robot, DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
-  const SelfCollision collision(robot.body());
-  const ReachMap map(robot.body(), robot.tip(), collision, settings.search.samples, kMargin,
+  const Clearance clearance(robot.body(), robot.tip());
+  const ReachMap map(robot.body(), robot.tip(), clearance, settings.search.samples, kMargin,
                      seed.child("map"), workers);
-  const Reach kept_off_limits(robot.body(), robot.tip(), collision, kSamples, kMargin, seed.child("fit"));
+  const Reach kept_off_limits(robot.body(), robot.tip(), clearance, kSamples, kMargin, seed.child("fit"));
   const double tolerance = settings.robot.off_plane_tolerance;
-  const DrawingPlane plane = find_plane(robot.body(), collision, map, kept_off_limits, some_of(points),
-                                        kStrict * tolerance, settings.search, seed.child("search"), workers)
-                                 .plane;
+  const Board board =
+      find_plane(robot.body(), clearance, map, kept_off_limits, some_of(points, settings.search.points),
+                 settings.half_side, kStrict * tolerance, settings.search, seed.child("search"), workers)
+          .board;
 
-  const Reach whole(robot.body(), robot.tip(), collision, kSamples, 0, seed.child("coverage"));
-  const std::vector<double> distances = distances_to_reach(plane, whole, points, workers);
+  const Reach whole(robot.body(), robot.tip(), clearance, kSamples, 0, seed.child("coverage"));
+  const std::vector<double> distances = distances_to_reach(board, whole, points, workers);
 
   Hdf5Writer file(stage.output());
   stage.write_settings(file);
-  const double covered = write_plane(file, plane, points, distances, tolerance);
+  const double covered = write_plane(file, board.plane, points, distances, tolerance);
   file.close();
   fmt::print(stderr, "{} reaches {:.2f} % of the arm's {} points at {:.3g} times its size\n", robot.name(),
-             100 * covered, points.size(), plane.scale);
+             100 * covered, points.size(), board.plane.scale);
   if (const std::string missing = missing_part(points, distances, tolerance); !missing.empty())
     fmt::print(stderr, "{} misses {}\n", robot.name(), missing);
 }

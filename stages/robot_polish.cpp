@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/simbody/clearance.h"
 #include "models/simbody/plane_file.h"
 #include "models/simbody/polish.h"
 #include "models/simbody/robot_on_plane.h"
-#include "models/simbody/self_collision.h"
 #include "pipeline/core/parallel.h"
 #include "stages/evolve.h"
 
@@ -71,8 +71,9 @@ void perform(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, hbr::Elite
 
 // Moves a copy of one of the nearest elites to each of the arm's points that has none within l, again and
 // again while that succeeds: the edge of a gap is where the next start stands. Ids go on after the last.
-void fill_gaps(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, const hbr::SelfCollision& collision,
-               const hbr::Rows& points, float spacing, double tolerance, hbr::Elites& elites) {
+void fill_gaps(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, const hbr::Clearance& clearance,
+               const hbr::Board& board, const hbr::Rows& points, float spacing, double tolerance,
+               hbr::Elites& elites) {
   constexpr int kStarts = 4;
   Eigen::VectorXd joints(robot.dof());
   for (bool more = true; more;) {
@@ -89,7 +90,7 @@ void fill_gaps(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, const hb
         hbr::decode_joints(robot, elites.solution.row(start).data(), joints.data());
         const Eigen::VectorXd moved = hbr::polish(robot, target, joints);
         const Eigen::Vector3d tip = robot.body().position(robot.tip(), moved.data());
-        if ((tip - target).norm() > tolerance || collision.collides(moved.data())) continue;
+        if ((tip - target).norm() > tolerance || !clearance.clear(moved.data(), board)) continue;
         const Eigen::Index row = elites.size();
         elites.solution.conservativeResize(row + 1, Eigen::NoChange);
         elites.measures.conservativeResize(row + 1, Eigen::NoChange);
@@ -109,7 +110,8 @@ void run(hbr::StageRun& stage) {
   const auto s = stage.settings_as<PolishSlice>();
   const hbr::Frame frame{s.half_side, 0};
   const hbr::RobotOnPlane robot = hbr::make_robot(s.robot, hbr::load_plane(stage.input("plane")));
-  const hbr::SelfCollision collision(robot.body());
+  const hbr::Clearance clearance(robot.body(), robot.tip());
+  const hbr::Board board{robot.plane(), s.half_side};
   const hbr::Elites before = hbr::read_elites(stage.input("robot_layer1"));
   const hbr::Elites arm = hbr::read_elites(stage.input("layer1"));
   if (before.solution.cols() != robot.dof() || before.measures.cols() != 2 || arm.measures.cols() != 2)
@@ -130,12 +132,13 @@ void run(hbr::StageRun& stage) {
     old_errors.set(i, robot, target, joints);
 
     const Eigen::VectorXd polished = hbr::polish(robot, target, joints);
-    if (!collision.collides(polished.data())) after.solution.row(row) = genes_of(robot, polished).transpose();
+    if (clearance.clear(polished.data(), board))
+      after.solution.row(row) = genes_of(robot, polished).transpose();
     perform(robot, frame, after, row, joints);
     new_errors.set(i, robot, target, joints);
   });
-  fill_gaps(robot, frame, collision, arm.measures, static_cast<float>(s.spacing), s.robot.off_plane_tolerance,
-            after);
+  fill_gaps(robot, frame, clearance, board, arm.measures, static_cast<float>(s.spacing),
+            s.robot.off_plane_tolerance, after);
 
   hbr::Hdf5Writer file(stage.output());
   hbr::write_elites(file, after, {});

@@ -3,6 +3,7 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include <fmt/ranges.h>
@@ -39,10 +40,22 @@ class TipError final : public ceres::CostFunction {
   Eigen::Vector3d target_;
 };
 
+// Ends the descent once the tip is within `enough` metres.
+class Arrived final : public ceres::IterationCallback {
+ public:
+  explicit Arrived(double enough) : cost_(enough * enough / 2) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    return summary.cost < cost_ ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  double cost_;
+};
+
 }  // namespace
 
-Reach::Reach(const Body& body, int tip, const SelfCollision& collision, int samples, double margin, Seed seed)
-    : body_(body), tip_(tip), collision_(collision), lower_(body.lower()), upper_(body.upper()) {
+Reach::Reach(const Body& body, int tip, const Clearance& clearance, int samples, double margin, Seed seed)
+    : body_(body), tip_(tip), clearance_(clearance), lower_(body.lower()), upper_(body.upper()) {
   const Eigen::Index dof = body.dof();
   const Eigen::VectorXd kept = margin * (upper_ - lower_);
   lower_ += kept;
@@ -51,26 +64,71 @@ Reach::Reach(const Body& body, int tip, const SelfCollision& collision, int samp
   for (int i = 0; i < samples; ++i) {
     for (Eigen::Index k = 0; k < dof; ++k)
       joints_.push_back(lower_[k] + (upper_[k] - lower_[k]) * rng.uniform_double());
-    if (collision.collides(joints_.data() + joints_.size() - dof)) joints_.resize(joints_.size() - dof);
+    const auto drawn = static_cast<int>(joints_.size() / dof) - 1;
+    const Directions free = clearance.free(joints_.data() + drawn * dof);
+    for (int k = 0; k < kDirections; ++k)
+      if (free[k]) facing_[k].push_back(drawn);
+    if (free.none()) joints_.resize(drawn * dof);
   }
   tips_.resize(joints_.size() / dof);
   if (tips_.empty())
-    throw InputError("{}: each of {} configurations of {} runs the robot into itself; expected free ones",
-                     body.model().path.string(), samples, fmt::join(body.moving(), ", "));
+    throw InputError(
+        "{}: each of {} configurations of {} runs the robot into itself or into any board at its tip; "
+        "expected free ones",
+        body.model().path.string(), samples, fmt::join(body.moving(), ", "));
+  all_.resize(tips_.size());
+  std::iota(all_.begin(), all_.end(), 0);
   body.positions(tip, static_cast<Eigen::Index>(tips_.size()), joints_.data(), tips_.data());
 }
 
-Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, int starts, double enough) const {
-  const Eigen::Index dof = body_.dof();
-  std::vector<double> distances(tips_.size());
-  for (std::size_t i = 0; i < tips_.size(); ++i) distances[i] = (tips_[i] - target).squaredNorm();
-  std::vector<int> order(tips_.size());
-  std::iota(order.begin(), order.end(), 0);
-  starts = std::min<int>(starts, static_cast<int>(order.size()));
-  std::partial_sort(order.begin(), order.begin() + starts, order.end(), [&](int a, int b) {
-    return distances[a] != distances[b] ? distances[a] < distances[b] : a < b;
-  });
+std::vector<int> Reach::closest(const std::vector<int>& samples, const Eigen::Vector3d& target,
+                                int count) const {
+  std::vector<std::pair<double, int>> order;
+  for (const int i : samples) order.emplace_back((tips_[i] - target).squaredNorm(), i);
+  const auto end = order.begin() + std::min<std::ptrdiff_t>(count, std::ssize(order));
+  std::partial_sort(order.begin(), end, order.end());
+  std::vector<int> result;
+  for (auto i = order.begin(); i != end; ++i) result.push_back(i->second);
+  return result;
+}
 
+Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, const Board& board, int starts,
+                              double enough) const {
+  const std::vector<int>& facing = facing_[nearest_direction(board.plane.normal())];
+  Nearest best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Eigen::VectorXd& joints) {
+    const Eigen::Vector3d gap = target - body_.position(tip_, joints.data());
+    if (gap.norm() >= least || !clearance_.clear(joints.data(), board)) return;
+    least = gap.norm();
+    best = {joints, gap};
+  };
+  std::vector<int> tried;
+  for (const auto* samples : {&facing, &all_}) {
+    if (least <= enough) break;
+    for (const int start : closest(*samples, target, starts)) {
+      if (least <= enough || std::ranges::count(tried, start) > 0) continue;
+      tried.push_back(start);
+      offer(sample(start));
+      offer(descend(target, start, enough));
+    }
+  }
+  if (best.joints.size() == 0) {
+    const int start = closest(facing.empty() ? all_ : facing, target, 1)[0];
+    best = {sample(start), target - tips_[start]};
+  }
+  return best;
+}
+
+Eigen::VectorXd Reach::descend(const Eigen::Vector3d& target, int start, double enough) const {
+  const Eigen::Index dof = body_.dof();
+  Eigen::VectorXd joints = sample(start);
+  ceres::Problem problem;
+  problem.AddResidualBlock(new TipError(body_, tip_, target), nullptr, joints.data());
+  for (int k = 0; k < static_cast<int>(dof); ++k) {
+    problem.SetParameterLowerBound(joints.data(), k, lower_[k]);
+    problem.SetParameterUpperBound(joints.data(), k, upper_[k]);
+  }
   ceres::Solver::Options options;
   options.max_num_iterations = 30;
   options.linear_solver_type = ceres::DENSE_QR;
@@ -78,28 +136,11 @@ Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, int starts, double 
   options.function_tolerance = 1e-9;
   options.gradient_tolerance = 1e-12;
   options.parameter_tolerance = 1e-9;
-  const double* nearest = joints_.data() + order[0] * dof;
-  Nearest best{Eigen::Map<const Eigen::VectorXd>(nearest, dof), target - tips_[order[0]]};
-  double best_distance = best.gap.norm();
-  for (int s = 0; s < starts && best_distance > enough; ++s) {
-    const auto start = joints_.begin() + order[s] * dof;
-    Eigen::VectorXd joints(dof);
-    std::copy(start, start + dof, joints.begin());
-    ceres::Problem problem;
-    problem.AddResidualBlock(new TipError(body_, tip_, target), nullptr, joints.data());
-    for (Eigen::Index k = 0; k < dof; ++k) {
-      problem.SetParameterLowerBound(joints.data(), static_cast<int>(k), lower_[k]);
-      problem.SetParameterUpperBound(joints.data(), static_cast<int>(k), upper_[k]);
-    }
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    const Eigen::Vector3d gap = target - body_.position(tip_, joints.data());
-    if (gap.norm() < best_distance && !collision_.collides(joints.data())) {
-      best_distance = gap.norm();
-      best = {joints, gap};
-    }
-  }
-  return best;
+  Arrived arrived(enough);
+  options.callbacks.push_back(&arrived);
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return joints;
 }
 
 }  // namespace hbr

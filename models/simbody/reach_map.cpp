@@ -9,7 +9,7 @@
 namespace hbr {
 namespace {
 
-constexpr int kCells = 80;  // along the longest side of the box
+constexpr int kCells = 40;  // along the longest side of the box
 constexpr double kNone = 1e12;
 
 // Squared distances along a line of n cells, `step` apart: f[i] becomes min over j of (i - j)^2 + f[j]
@@ -41,7 +41,7 @@ void lower_envelope(double* f, int n, std::ptrdiff_t step) {
 
 }  // namespace
 
-ReachMap::ReachMap(const Body& body, int tip, const SelfCollision& collision, int samples, double margin,
+ReachMap::ReachMap(const Body& body, int tip, const Clearance& clearance, int samples, double margin,
                    Seed seed, Workers& workers) {
   const Eigen::Index dof = body.dof();
   const Eigen::VectorXd kept = margin * (body.upper() - body.lower());
@@ -60,19 +60,31 @@ ReachMap::ReachMap(const Body& body, int tip, const SelfCollision& collision, in
   cell_ = std::max(box_.sizes().maxCoeff() / kCells, 1e-9);
   size_ = (box_.sizes() / cell_).array().ceil().cast<int>().max(1);
 
-  // A cell needs one configuration that is free: most are never asked.
-  std::vector<double> squared(static_cast<std::size_t>(size_.prod()), kNone);
-  bool any = false;
-  for (std::size_t i = 0; i < n; ++i) {
-    double& cell = squared[index(cell_of(tips[i]))];
-    if (cell == 0 || collision.collides(&joints[i * dof])) continue;
-    cell = 0;
-    any = true;
-  }
-  if (!any)
-    throw InputError("{}: each of {} configurations of {} runs the robot into itself; expected free ones",
-                     body.model().path.string(), samples, fmt::join(body.moving(), ", "));
+  std::vector<Directions> clear(n);
+  workers.for_ranges(n, 256, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) clear[i] = clearance.free(&joints[i * dof]);
+  });
+  const auto cells = static_cast<std::size_t>(size_.prod());
+  std::vector<Directions> filled(cells);
+  for (std::size_t i = 0; i < n; ++i) filled[index(cell_of(tips[i]))] |= clear[i];
+  if (std::ranges::none_of(filled, &Directions::any))
+    throw InputError(
+        "{}: each of {} configurations of {} runs the robot into itself or into any board at its tip; "
+        "expected free ones",
+        body.model().path.string(), samples, fmt::join(body.moving(), ", "));
 
+  distance_.resize(kDirections * cells);
+  workers.for_each(kDirections, [&](std::size_t facing) {
+    std::vector<double> squared(cells);
+    for (std::size_t i = 0; i < cells; ++i) squared[i] = filled[i][facing] ? 0 : kNone;
+    spread(squared);
+    for (std::size_t i = 0; i < cells; ++i)
+      distance_[facing * cells + i] = static_cast<float>(std::sqrt(squared[i]));
+  });
+}
+
+// The squared distances, in cells, to those that are 0.
+void ReachMap::spread(std::vector<double>& squared) const {
   const int nx = size_[0], ny = size_[1], nz = size_[2];
   const std::size_t row = nx, layer = row * ny;
   for (std::size_t i = 0; i < squared.size(); i += row) lower_envelope(&squared[i], nx, 1);
@@ -80,8 +92,6 @@ ReachMap::ReachMap(const Body& body, int tip, const SelfCollision& collision, in
     for (int x = 0; x < nx; ++x)
       lower_envelope(&squared[z * layer + x], ny, static_cast<std::ptrdiff_t>(row));
   for (std::size_t i = 0; i < layer; ++i) lower_envelope(&squared[i], nz, static_cast<std::ptrdiff_t>(layer));
-  distance_.resize(squared.size());
-  for (std::size_t i = 0; i < squared.size(); ++i) distance_[i] = static_cast<float>(std::sqrt(squared[i]));
 }
 
 Eigen::Vector3i ReachMap::cell_of(const Eigen::Vector3d& place) const {
@@ -89,9 +99,9 @@ Eigen::Vector3i ReachMap::cell_of(const Eigen::Vector3d& place) const {
   return c.cwiseMax(0).cwiseMin((size_.array() - 1).cast<double>().matrix()).cast<int>();
 }
 
-double ReachMap::distance(const Eigen::Vector3d& place) const {
+double ReachMap::distance(const Eigen::Vector3d& place, int facing) const {
   const double outside = box_.exteriorDistance(place);
-  return outside + cell_ * distance_[index(cell_of(place))];
+  return outside + cell_ * distance_[facing * static_cast<std::size_t>(size_.prod()) + index(cell_of(place))];
 }
 
 }  // namespace hbr

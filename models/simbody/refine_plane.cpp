@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hbr {
@@ -9,8 +10,9 @@ namespace {
 
 // Origin, azimuth, elevation, logarithm of the scale.
 using Pose = Eigen::Matrix<double, 6, 1>;
-constexpr double kMissed = 5e-5;  // m, root mean square: as bad as a start left by its looseness
-const Pose kLoose = (Pose() << .02, .02, .02, .1, .1, .05).finished();
+// Of the drawing's radius, root mean square: as bad as a start left by its looseness.
+constexpr double kMissed = 1. / 3000;
+constexpr double kMoved = 1. / 8, kTurned = 0.1, kScaled = 0.005;  // of the radius; rad; of the scale
 
 Pose pose_of(const DrawingPlane& plane) {
   // Of u, which is level, so that the azimuth is there also for a plane that is seen from above.
@@ -27,24 +29,27 @@ DrawingPlane plane_of(const Pose& pose) {
 // One residual for each point, the distance to the tip's reach, then six for the prior.
 class Missed final : public ceres::CostFunction {
  public:
-  Missed(const Reach& reach, const std::vector<Eigen::Vector2d>& points, const Pose& start, Workers& workers)
-      : reach_(reach), points_(points), start_(start), workers_(workers) {
+  Missed(const Reach& reach, const std::vector<Eigen::Vector2d>& points, const Pose& start, double half_side,
+         Workers& workers)
+      : reach_(reach), points_(points), start_(start), half_side_(half_side), workers_(workers) {
+    for (const Eigen::Vector2d& p : points) size_ = std::max(size_, std::exp(start[5]) * p.norm());
+    loose_ << Eigen::Vector3d::Constant(kMoved * size_), kTurned, kTurned, kScaled;
     set_num_residuals(static_cast<int>(points.size()) + 6);
     mutable_parameter_block_sizes()->push_back(6);
   }
 
   bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
     const Pose pose = Eigen::Map<const Pose>(parameters[0]);
-    const DrawingPlane plane = plane_of(pose);
+    const Board board{plane_of(pose), half_side_};
     const std::size_t n = points_.size();
-    const double unit = kMissed * std::sqrt(static_cast<double>(n));
+    const double unit = kMissed * size_ * std::sqrt(static_cast<double>(n));
     using Jacobian = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
     const bool wanted = jacobians && jacobians[0];
     Eigen::Map<Jacobian> slopes(wanted ? jacobians[0] : nullptr,
                                 wanted ? static_cast<Eigen::Index>(n) + 6 : 0, 6);
     workers_.for_each(n, [&](std::size_t i) {
-      const Eigen::Vector3d target = plane.to_robot(points_[i]);
-      const Eigen::Vector3d gap = reach_.nearest(target, 3, 1e-5).gap;
+      const Eigen::Vector3d target = board.plane.to_robot(points_[i]);
+      const Eigen::Vector3d gap = reach_.nearest(target, board, 3, 1e-5).gap;
       const double distance = gap.norm();
       residuals[i] = distance / unit;
       if (!wanted) return;
@@ -54,10 +59,10 @@ class Missed final : public ceres::CostFunction {
       slopes.row(static_cast<Eigen::Index>(i)) = away.transpose() * moves(pose, points_[i]) / unit;
     });
     for (int k = 0; k < 6; ++k) {
-      residuals[n + k] = (pose[k] - start_[k]) / kLoose[k];
+      residuals[n + k] = (pose[k] - start_[k]) / loose_[k];
       if (!wanted) continue;
       slopes.row(static_cast<Eigen::Index>(n) + k).setZero();
-      slopes(static_cast<Eigen::Index>(n) + k, k) = 1 / kLoose[k];
+      slopes(static_cast<Eigen::Index>(n) + k, k) = 1 / loose_[k];
     }
     return true;
   }
@@ -78,18 +83,20 @@ class Missed final : public ceres::CostFunction {
 
   const Reach& reach_;
   const std::vector<Eigen::Vector2d>& points_;
-  Pose start_;
+  Pose start_, loose_;
+  double size_ = 0;  // m, the drawing's radius
+  double half_side_;
   Workers& workers_;
 };
 
 }  // namespace
 
-DrawingPlane refine_plane(const DrawingPlane& plane, const Reach& reach,
-                          const std::vector<Eigen::Vector2d>& points, Workers& workers) {
-  const Pose start = pose_of(plane);
+Board refine_plane(const Board& board, const Reach& reach, const std::vector<Eigen::Vector2d>& points,
+                   Workers& workers) {
+  const Pose start = pose_of(board.plane);
   Pose pose = start;
   ceres::Problem problem;
-  problem.AddResidualBlock(new Missed(reach, points, start, workers), nullptr, pose.data());
+  problem.AddResidualBlock(new Missed(reach, points, start, board.half_side, workers), nullptr, pose.data());
   ceres::Solver::Options options;
   options.max_num_iterations = 15;
   options.linear_solver_type = ceres::DENSE_QR;
@@ -97,14 +104,14 @@ DrawingPlane refine_plane(const DrawingPlane& plane, const Reach& reach,
   options.function_tolerance = 1e-3;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  return plane_of(pose);
+  return {plane_of(pose), board.half_side};
 }
 
-std::vector<double> distances_to_reach(const DrawingPlane& plane, const Reach& reach,
+std::vector<double> distances_to_reach(const Board& board, const Reach& reach,
                                        const std::vector<Eigen::Vector2d>& points, Workers& workers) {
   std::vector<double> distances(points.size());
   workers.for_each(points.size(), [&](std::size_t i) {
-    distances[i] = reach.nearest(plane.to_robot(points[i]), 8, 1e-5).gap.norm();
+    distances[i] = reach.nearest(board.plane.to_robot(points[i]), board, 8, 1e-5).gap.norm();
   });
   return distances;
 }

@@ -15,6 +15,7 @@ struct PlaneSearchSettings {
   int samples = 0;
   int generations = 0;
   int refined = 0;
+  int points = 0;
 };
 
 template <class Fields>
@@ -22,6 +23,8 @@ void describe(Fields& f, PlaneSearchSettings& s) {
   f.number("samples", s.samples, Range{1, 1e8}, "configurations that tell where a robot's tip can be");
   f.number("generations", s.generations, Range{1, 1e6}, "generations of 200 planes each");
   f.number("refined", s.refined, Range{1, 100}, "planes of the search that are refined");
+  f.number("points", s.points, Range{20, 1e6},
+           "of the arm's, that the plane is fitted to; coverage counts all");
 }
 
 struct RobotSettings {

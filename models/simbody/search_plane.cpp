@@ -13,14 +13,15 @@
 namespace hbr {
 namespace {
 
-constexpr int kGenes = 6;        // origin, azimuth, elevation, scale
-constexpr int kDirections = 24;  // cells of the azimuth, and of the elevation
+constexpr int kGenes = 6;   // origin, azimuth, elevation, scale
+constexpr int kTurns = 24;  // cells of the azimuth, and of the elevation
 constexpr int kBatch = 200;
 constexpr double kSmallest = 1. / 8;  // of the greatest scale
 constexpr double kApart = 20 * std::numbers::pi / 180;
 constexpr double kLarge = 1.03, kSmall = 1.01;  // steps of the scale
-constexpr int kSteps = 8;
-constexpr double kFull = 0.99;  // share of the points that is as good as all
+constexpr int kSteps = 12;
+constexpr double kLevel = 0.1;   // what a level board is worth of an upright one
+constexpr double kFull = 0.995;  // share of the points that is as good as all
 
 double radius_of(const std::vector<Eigen::Vector2d>& points) {
   double radius = 0;
@@ -30,29 +31,31 @@ double radius_of(const std::vector<Eigen::Vector2d>& points) {
 
 class PlaneEvaluator final : public Evaluator {
  public:
-  PlaneEvaluator(const ReachMap& map, const SelfCollision& collision,
-                 const std::vector<Eigen::Vector2d>& points, const Eigen::Vector3d& eye)
+  PlaneEvaluator(const ReachMap& map, const Clearance& clearance, const std::vector<Eigen::Vector2d>& points,
+                 double half_side, const Eigen::Vector3d& eye)
       : map_(map),
-        collision_(collision),
+        clearance_(clearance),
         points_(points),
+        half_side_(half_side),
         eye_(eye),
         radius_(radius_of(points)),
         largest_(map.box().diagonal().norm() / 2 / radius_) {}
   int descriptor_size() const override { return 2; }
   bool deterministic() const override { return true; }
 
-  DrawingPlane plane(const float* genes) const {
+  Board board(const float* genes) const {
     const Eigen::Vector3d share(genes[0], genes[1], genes[2]);
-    return DrawingPlane::facing(map_.box().min() + share.cwiseProduct(map_.box().sizes()),
-                                (2 * genes[3] - 1) * std::numbers::pi, (genes[4] - 0.5) * std::numbers::pi,
-                                largest_ * (kSmallest + (1 - kSmallest) * genes[5]));
+    return {DrawingPlane::facing(map_.box().min() + share.cwiseProduct(map_.box().sizes()),
+                                 (2 * genes[3] - 1) * std::numbers::pi, (genes[4] - 0.5) * std::numbers::pi,
+                                 largest_ * (kSmallest + (1 - kSmallest) * genes[5])),
+            half_side_};
   }
 
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed) const override {
     for (Eigen::Index i = begin; i < end; ++i) {
       const float* genes = batch.genome.row(i).data();
-      const DrawingPlane candidate = plane(genes);
-      batch.valid[i] = (eye_ - candidate.origin).dot(candidate.normal()) >= -map_.cell();
+      const Board candidate = board(genes);
+      batch.valid[i] = (eye_ - candidate.plane.origin).dot(candidate.plane.normal()) >= -map_.cell();
       batch.descriptor.row(i) << genes[3], genes[4];
       if (batch.valid[i]) batch.fitness[i] = static_cast<float>(fitness(candidate));
     }
@@ -61,22 +64,24 @@ class PlaneEvaluator final : public Evaluator {
  private:
   // All covered: what it is worth, in (0, 1]. Else minus the
   // share of the points that are missing and minus how far they are on average, in radii of the drawing.
-  double fitness(const DrawingPlane& candidate) const {
+  double fitness(const Board& candidate) const {
+    const int facing = nearest_direction(candidate.plane.normal());
     double missing = 0, away = 0;
     for (const Eigen::Vector2d& p : points_) {
-      const double beyond = map_.distance(candidate.to_robot(p)) - 1.001 * map_.cell();
+      const double beyond = map_.distance(candidate.plane.to_robot(p), facing) - 1.001 * map_.cell();
       if (beyond <= 0) continue;  // an empty cell beside a filled one may be for want of samples
       ++missing;
       away += beyond;
     }
     if (missing <= (1 - kFull) * static_cast<double>(points_.size()))
-      return plane_worth(candidate, radius_, collision_) / largest_;
-    return -(missing + away / (candidate.scale * radius_)) / static_cast<double>(points_.size());
+      return plane_worth(candidate, clearance_) / largest_;
+    return -(missing + away / (candidate.plane.scale * radius_)) / static_cast<double>(points_.size());
   }
 
   const ReachMap& map_;
-  const SelfCollision& collision_;
+  const Clearance& clearance_;
   const std::vector<Eigen::Vector2d>& points_;
+  double half_side_;
   Eigen::Vector3d eye_;
   double radius_, largest_;
 };
@@ -91,10 +96,9 @@ Eigen::Vector3d shoulder(const Body& body) {
 
 }  // namespace
 
-double plane_worth(const DrawingPlane& plane, double radius, const SelfCollision& body) {
-  const double upright = 0.5 + 0.5 * plane.v[2];
-  const bool pierced = body.pierces(plane.origin, plane.normal(), plane.scale * radius);
-  return plane.scale * upright * (pierced ? 0.5 : 1);
+double plane_worth(const Board& board, const Clearance& clearance) {
+  const double upright = kLevel + (1 - kLevel) * std::pow(board.plane.v[2], 4);
+  return board.plane.scale * upright * (clearance.pierced(board) ? 0.5 : 1);
 }
 
 bool better(const FoundPlane& a, const FoundPlane& b) {
@@ -103,12 +107,12 @@ bool better(const FoundPlane& a, const FoundPlane& b) {
   return a.worth > b.worth;
 }
 
-std::vector<DrawingPlane> search_planes(const ReachMap& map, const SelfCollision& collision,
-                                        const std::vector<Eigen::Vector2d>& points,
-                                        const Eigen::Vector3d& eye, int most,
-                                        const PlaneSearchSettings& settings, Seed seed, Workers& workers) {
-  const PlaneEvaluator evaluator(map, collision, points, eye);
-  GridArchive archive(kGenes, {2, kDirections, 0, 1});
+std::vector<Board> search_planes(const ReachMap& map, const Clearance& clearance,
+                                 const std::vector<Eigen::Vector2d>& points, double half_side,
+                                 const Eigen::Vector3d& eye, int most, const PlaneSearchSettings& settings,
+                                 Seed seed, Workers& workers) {
+  const PlaneEvaluator evaluator(map, clearance, points, half_side, eye);
+  GridArchive archive(kGenes, {2, kTurns, 0, 1});
   UniformSelector selector;
   const PolynomialMutation variation(kGenes, 10, 0.5f);
   Search search(archive, selector, variation, evaluator, {settings.generations, kBatch, settings.generations},
@@ -119,52 +123,51 @@ std::vector<DrawingPlane> search_planes(const ReachMap& map, const SelfCollision
   std::vector<Eigen::Index> order(elites.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, std::greater(), [&](Eigen::Index i) { return elites.objective[i]; });
-  std::vector<DrawingPlane> planes;
+  std::vector<Board> boards;
   for (const Eigen::Index i : order) {
-    const DrawingPlane candidate = evaluator.plane(elites.solution.row(i).data());
-    const auto same = [&](const DrawingPlane& other) {
-      return candidate.normal().dot(other.normal()) > std::cos(kApart);
+    const Board candidate = evaluator.board(elites.solution.row(i).data());
+    const auto same = [&](const Board& other) {
+      return candidate.plane.normal().dot(other.plane.normal()) > std::cos(kApart);
     };
-    if (static_cast<int>(planes.size()) < most && std::ranges::none_of(planes, same))
-      planes.push_back(candidate);
+    if (static_cast<int>(boards.size()) < most && std::ranges::none_of(boards, same))
+      boards.push_back(candidate);
   }
-  if (planes.empty())
+  if (boards.empty())
     throw InputError("no plane faces the robot in {} generations of the search; give it more",
                      settings.generations);
-  return planes;
+  return boards;
 }
 
-FoundPlane find_plane(const Body& body, const SelfCollision& collision, const ReachMap& map,
-                      const Reach& reach, const std::vector<Eigen::Vector2d>& points, double tolerance,
+FoundPlane find_plane(const Body& body, const Clearance& clearance, const ReachMap& map, const Reach& reach,
+                      const std::vector<Eigen::Vector2d>& points, double half_side, double tolerance,
                       const PlaneSearchSettings& settings, Seed seed, Workers& workers) {
-  const double radius = radius_of(points);
-  const auto measured = [&](const DrawingPlane& plane) {
-    const auto distances = distances_to_reach(plane, reach, points, workers);
+  const auto measured = [&](const Board& board) {
+    const auto distances = distances_to_reach(board, reach, points, workers);
     const auto near = std::ranges::count_if(distances, [&](double d) { return d <= tolerance; });
-    return FoundPlane{plane, static_cast<double>(near) / static_cast<double>(points.size()),
-                      plane_worth(plane, radius, collision)};
+    return FoundPlane{board, static_cast<double>(near) / static_cast<double>(points.size()),
+                      plane_worth(board, clearance)};
   };
-  const auto refined = [&](const DrawingPlane& start) {
+  const auto refined = [&](const Board& start) {
     const FoundPlane found = measured(start);
     return found.covered >= kFull ? found : measured(refine_plane(start, reach, points, workers));
   };
-  const auto scaled = [](DrawingPlane plane, double factor) {
-    plane.scale *= factor;
-    return plane;
+  const auto scaled = [](Board board, double factor) {
+    board.plane.scale *= factor;
+    return board;
   };
   FoundPlane best;
-  for (const DrawingPlane& start :
-       search_planes(map, collision, points, shoulder(body), settings.refined, settings, seed, workers)) {
+  for (const Board& start : search_planes(map, clearance, points, half_side, shoulder(body), settings.refined,
+                                          settings, seed, workers)) {
     FoundPlane smaller = refined(start), found = smaller;
     for (int i = 0; i < kSteps && found.covered < kFull; ++i) {
-      smaller = refined(scaled(smaller.plane, 1 / kLarge));
+      smaller = refined(scaled(smaller.board, 1 / kLarge));
       if (better(smaller, found)) found = smaller;
     }
-    if (best.plane.scale == 0 || better(found, best)) best = found;
+    if (best.board.plane.scale == 0 || better(found, best)) best = found;
   }
   for (const double step : {kLarge, kSmall})
     for (int i = 0; i < kSteps && best.covered >= kFull; ++i) {
-      const FoundPlane larger = refined(scaled(best.plane, step));
+      const FoundPlane larger = refined(scaled(best.board, step));
       if (!better(larger, best)) break;
       best = larger;
     }

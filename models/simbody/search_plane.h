@@ -11,36 +11,37 @@
 
 namespace hbr {
 
-// A plane and what of the points (drawing frame, m) the tip comes to there, within a tolerance.
+// A board and what of the points (drawing frame, m) the tip comes to there, within a tolerance.
 struct FoundPlane {
-  DrawingPlane plane{};
+  Board board{};
   double covered = 0;  // share of the points
   double worth = 0;    // see below
 };
 
-// What a plane is worth that covers a drawing of that radius (drawing frame, m): its scale; less where it
-// does not stand upright, down to half where it lies level, since robots turn about level axes and have many
-// planes alike; half of it again where the robot's own body stands in the board.
-double plane_worth(const DrawingPlane& plane, double radius, const SelfCollision& body);
+// What a board is worth: its scale; less where it leans, by the fourth power of its angle's cosine (a tenth
+// off at 13 degrees, half at 34), down to a tenth where it lies level, since robots turn about level axes and
+// have many boards alike, of which one before them is meant; half of it again where what never moves of the
+// robot stands in it.
+double plane_worth(const Board& board, const Clearance& clearance);
 
-// Coverage comes first: while more than one point in a hundred is missing, fewer are better; between planes
+// Coverage comes first: while more than one point in two hundred is missing, fewer are better; between planes
 // that cover so much, what is worth more.
 bool better(const FoundPlane& a, const FoundPlane& b);
 
 // Planes that differ in direction by 20 degrees or more, the best first, at most `most` of them: MAP-Elites
 // (pipeline/qd) over the direction in which the robot looks, of planes in the reach's box at scales from an
 // eighth of the greatest that fits the box upwards. `eye` is where the robot looks from: the planes face it.
-std::vector<DrawingPlane> search_planes(const ReachMap& map, const SelfCollision& collision,
-                                        const std::vector<Eigen::Vector2d>& points,
-                                        const Eigen::Vector3d& eye, int most,
-                                        const PlaneSearchSettings& settings, Seed seed, Workers& workers);
+std::vector<Board> search_planes(const ReachMap& map, const Clearance& clearance,
+                                 const std::vector<Eigen::Vector2d>& points, double half_side,
+                                 const Eigen::Vector3d& eye, int most, const PlaneSearchSettings& settings,
+                                 Seed seed, Workers& workers);
 
 // The best plane for `points`, each of which counts as covered where `reach` comes within `tolerance` (m):
 // the best planes of the search above, each refined (refine_plane.h) where points are missing, made smaller
-// by steps of 3 % and refined again until all are covered (but for one in a hundred); then the best of them,
-// made larger by steps of 3 % and of 1 % for as long as that holds. Deterministic.
-FoundPlane find_plane(const Body& body, const SelfCollision& collision, const ReachMap& map,
-                      const Reach& reach, const std::vector<Eigen::Vector2d>& points, double tolerance,
+// by steps of 3 % and refined again until all are covered (but for one in two hundred); then the best of
+// them, made larger by steps of 3 % and of 1 % for as long as that makes it better. Deterministic.
+FoundPlane find_plane(const Body& body, const Clearance& clearance, const ReachMap& map, const Reach& reach,
+                      const std::vector<Eigen::Vector2d>& points, double half_side, double tolerance,
                       const PlaneSearchSettings& settings, Seed seed, Workers& workers);
 
 }  // namespace hbr

@@ -13,9 +13,10 @@ struct Turn {
 };
 
 // Links of 1 m along y where `axis` is x (they stay in the plane x = 0), else along x; joints "j0", "j1", ...
-// from the link "base" on, the link "tip" at the end. `looks` stands inside each of the moving links.
+// from the link "base" on, the link "tip" at the end, `aside` the links' plane. `looks` stands inside each of
+// the moving links.
 inline std::shared_ptr<const Body> chain(const std::vector<Turn>& turns, const std::string& axis = "0 0 1",
-                                         const std::string& looks = "") {
+                                         const std::string& looks = "", double aside = 0) {
   const TestFolder folder;
   const std::string along = axis.starts_with("1") ? "0 1 0" : "1 0 0";
   std::string links = link("base", ""), joints, parent = "base";
@@ -30,16 +31,23 @@ inline std::shared_ptr<const Body> chain(const std::vector<Turn>& turns, const s
     names.push_back(name);
     parent = child;
   }
+  const std::string tip = axis.starts_with("1") ? fmt::format("{} 1 0", aside) : fmt::format("1 0 {}", aside);
   links += link("tip", "");
   joints += fmt::format(
       R"(<joint name="t" type="fixed"><parent link="{}"/><child link="tip"/><origin xyz="{}"/></joint>)",
-      parent, along);
+      parent, tip);
   return std::make_shared<const Body>(load_urdf(folder.write("chain.urdf", robot(links + joints))), names);
 }
 
+// Next to nothing to run into.
+const std::string kThin =
+    R"(<visual><origin xyz="0.1 0.2 0.3"/><geometry><sphere radius="0.0001"/></geometry></visual>)";
+
+// 0.1 m thick, from end to end of a link along x.
+const std::string kBox =
+    R"(<visual><origin xyz="0.5 0 0"/><geometry><box size="1 0.1 0.1"/></geometry></visual>)";
+
 // The tip reaches every point within 2 m of the origin.
-inline std::shared_ptr<const Body> two_links(const std::string& axis = "0 0 1") {
-  return chain({Turn{}, Turn{}}, axis);
-}
+inline std::shared_ptr<const Body> two_links() { return chain({Turn{}, Turn{}}, "0 0 1", kThin); }
 
 }  // namespace hbr

@@ -67,13 +67,13 @@ TEST(DrawingPlane, RefusesAFileWithoutAPlane) {
 
 TEST(Reach, DistanceIsTheOneToTheDisc) {
   const auto body = two_links();
-  const SelfCollision nothing(*body);
-  const Reach reach(*body, body->model().link("tip"), nothing, 500, 0, Seed(2));
+  const Clearance clearance(*body, body->model().link("tip"));
+  const Reach reach(*body, body->model().link("tip"), clearance, 500, 0, Seed(2));
   Rng rng(Seed(3).child("reach"));
   for (int i = 0; i < 200; ++i) {
     const Eigen::Vector3d target(rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(-1, 1));
     const double beyond = std::max(0., std::hypot(target[0], target[1]) - 2);
-    const Reach::Nearest nearest = reach.nearest(target, 8, 1e-9);
+    const Reach::Nearest nearest = reach.nearest(target, {DrawingPlane::facing(target, 0, 0, 1), 0}, 8, 1e-9);
     EXPECT_NEAR(nearest.gap.norm(), std::hypot(beyond, target[2]), 2e-4) << target.transpose();
     EXPECT_LT(
         (body->position(body->model().link("tip"), nearest.joints.data()) + nearest.gap - target).norm(),
@@ -93,20 +93,20 @@ TEST(RobotOnPlane, RefusesWhatDoesNotMoveTheTip) {
 TEST(RefinePlane, ComesNearerToTheReach) {
   const auto body = two_links();
   const DrawingPlane start = DrawingPlane::facing({.3, .2, .05}, .3, .4, 2.5);
-  const SelfCollision nothing(*body);
-  const Reach reach(*body, body->model().link("tip"), nothing, 500, .01, Seed(4));
+  const Clearance clearance(*body, body->model().link("tip"));
+  const Reach reach(*body, body->model().link("tip"), clearance, 500, .01, Seed(4));
   std::vector<Eigen::Vector2d> line;
   for (int i = -10; i <= 10; ++i) line.push_back({i / 10., 0});
   const auto worst = [&](const DrawingPlane& plane) {
     Workers one(1);
-    const auto distances = distances_to_reach(plane, reach, line, one);
+    const auto distances = distances_to_reach({plane, 0}, reach, line, one);
     return *std::max_element(distances.begin(), distances.end());
   };
   Workers one(1), two(2);
-  const DrawingPlane plane = refine_plane(start, reach, line, one);
+  const DrawingPlane plane = refine_plane({start, 0}, reach, line, one).plane;
   EXPECT_GT(worst(start), .5);
-  EXPECT_LT(worst(plane), .01);
-  const DrawingPlane again = refine_plane(start, reach, line, two);
+  EXPECT_LT(worst(plane), .05);
+  const DrawingPlane again = refine_plane({start, 0}, reach, line, two).plane;
   EXPECT_EQ(plane.origin, again.origin);
   EXPECT_EQ(plane.u, again.u);
   EXPECT_EQ(plane.scale, again.scale);

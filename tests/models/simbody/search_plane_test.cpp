@@ -25,47 +25,49 @@ std::vector<Eigen::Vector2d> disc(double radius, int across) {
 }
 
 TEST(ReachMap, DistancesAreThoseToTheDisc) {
-  const auto body = two_links();
-  const SelfCollision nothing(*body);
+  const auto body = chain({{}, {}}, "0 0 1", kThin, 1);
+  const int tip = body->model().link("tip");
+  const Clearance clearance(*body, tip);
   Workers workers(2);
-  const ReachMap map(*body, body->model().link("tip"), nothing, 200000, 0, Seed(1), workers);
-  EXPECT_NEAR(map.cell(), 4. / 80, 1e-3);
+  const ReachMap map(*body, tip, clearance, 200000, 0, Seed(1), workers);
+  const int facing = nearest_direction({0, 0, -1});
+  EXPECT_NEAR(map.cell(), 4. / 40, 2e-3);
   Rng rng(Seed(2).child("map"));
   for (int i = 0; i < 1000; ++i) {
-    const Eigen::Vector3d place(rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(-1, 1));
+    const Eigen::Vector3d place(rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(0, 2));
     const double in_plane = std::max(0., std::hypot(place[0], place[1]) - 2);
     // From a place outside the box the way goes by the box's side, so it may be longer; never shorter.
-    EXPECT_GT(map.distance(place), std::hypot(in_plane, place[2]) - 1.5 * map.cell());
-    if (map.box().exteriorDistance(place) == std::abs(place[2])) {
-      EXPECT_LT(map.distance(place), in_plane + std::abs(place[2]) + 1.5 * map.cell());
+    EXPECT_GT(map.distance(place, facing), std::hypot(in_plane, place[2] - 1) - 1.5 * map.cell());
+    if (map.box().exteriorDistance(place) == std::abs(place[2] - 1)) {
+      EXPECT_LT(map.distance(place, facing), in_plane + std::abs(place[2] - 1) + 1.5 * map.cell());
     }
   }
 }
 
 FoundPlane found(const Body& body, const std::vector<Eigen::Vector2d>& points, int threads = 2) {
-  const SelfCollision nothing(body);
-  Workers workers(threads);
   const int tip = body.model().link("tip");
-  const ReachMap map(body, tip, nothing, 100000, .05, Seed(1), workers);
-  const Reach reach(body, tip, nothing, 2000, .05, Seed(2));
-  return find_plane(body, nothing, map, reach, points, .01, {100000, 300, 1}, Seed(3), workers);
+  const Clearance clearance(body, tip);
+  Workers workers(threads);
+  const ReachMap map(body, tip, clearance, 100000, .05, Seed(1), workers);
+  const Reach reach(body, tip, clearance, 2000, .05, Seed(2));
+  return find_plane(body, clearance, map, reach, points, .5, .01, {100000, 300, 1, 0}, Seed(3), workers);
 }
 
-// Two links in the plane x = 0 draw on that plane alone, and best about their shoulder with the drawing's
-// radius as long as both.
+// Two links in the plane x = 0 with a pen of 1 m draw on the plane x = 1 alone, from the side of the
+// links, and best before their shoulder with the drawing's radius as long as both.
 TEST(FindPlane, IsThatOfThePlanarRobot) {
-  const auto body = chain({{-3.5, 3.5}, {-3.5, 3.5}}, "1 0 0");
+  const auto body = chain({{-3.5, 3.5}, {-3.5, 3.5}}, "1 0 0", kThin, 1);
   const auto points = disc(.5, 10);
   const FoundPlane best = found(*body, points);
   EXPECT_GE(best.covered, .99);
-  EXPECT_NEAR(best.plane.scale, 2 / .5, .03 * 2 / .5);
-  EXPECT_LT(best.plane.origin.norm(), .06);
-  EXPECT_GT(std::abs(best.plane.normal()[0]), std::cos(.02));
+  EXPECT_NEAR(best.board.plane.scale, 2 / .5, .03 * 2 / .5);
+  EXPECT_LT((best.board.plane.origin - Eigen::Vector3d(1, 0, 0)).norm(), .06);
+  EXPECT_LT(best.board.plane.normal()[0], -std::cos(.02));
 
   const FoundPlane again = found(*body, points, 1);
-  EXPECT_EQ(again.plane.origin, best.plane.origin);
-  EXPECT_EQ(again.plane.u, best.plane.u);
-  EXPECT_EQ(again.plane.scale, best.plane.scale);
+  EXPECT_EQ(again.board.plane.origin, best.board.plane.origin);
+  EXPECT_EQ(again.board.plane.u, best.board.plane.u);
+  EXPECT_EQ(again.board.plane.scale, best.board.plane.scale);
 }
 
 TEST(FindPlane, CoverageComesFirst) {
@@ -81,14 +83,15 @@ TEST(FindPlane, ABoardIsWorthMoreBeforeTheRobotThanInIt) {
       R"(<visual><origin xyz="0.5 0 0"/><geometry><box size="1 1 1"/></geometry></visual>)";
   const Body body(
       load_urdf(folder.write("box.urdf", robot(link("a", box) + link("b") + joint("j", "a", "b")))), {"j"});
-  const SelfCollision collision(body);
+  const Clearance clearance(body, body.model().link("b"));
   const auto worth = [&](double x, double elevation) {
-    return plane_worth(DrawingPlane::facing({x, 0, 0}, 0, elevation, 2), .1, collision);
+    return plane_worth({DrawingPlane::facing({x, 0, 0}, 0, elevation, 2), .1}, clearance);
   };
   EXPECT_DOUBLE_EQ(worth(1.1, 0), 2);
   EXPECT_DOUBLE_EQ(worth(.9, 0), 1);
   EXPECT_DOUBLE_EQ(worth(-.1, 0), 1);  // behind the board
-  EXPECT_NEAR(worth(2, std::numbers::pi / 2), 1, 1e-12);
+  EXPECT_NEAR(worth(2, std::numbers::pi / 2), .2, 1e-12);
+  EXPECT_NEAR(worth(2, std::numbers::pi / 4), 2 * (.1 + .9 / 4), 1e-12);
 }
 
 // A shoulder that turns from 0 (to the left, along y) up to 180 degrees and an elbow that is all but stiff: a
@@ -98,11 +101,12 @@ struct Half {
   std::vector<double> distances;
 };
 Half half(const DrawingPlane& plane, const std::vector<Eigen::Vector2d>& points, double lower, double upper) {
-  Half result{chain({{lower, upper}, {-3.5, 3.5}}, "1 0 0"), {}};
-  const SelfCollision nothing(*result.body);
-  const Reach reach(*result.body, result.body->model().link("tip"), nothing, 4000, 0, Seed(5));
+  Half result{chain({{lower, upper}, {-3.5, 3.5}}, "1 0 0", kThin), {}};
+  const int tip = result.body->model().link("tip");
+  const Clearance clearance(*result.body, tip);
+  const Reach reach(*result.body, tip, clearance, 4000, 0, Seed(5));
   Workers workers(2);
-  result.distances = distances_to_reach(plane, reach, points, workers);
+  result.distances = distances_to_reach({plane, 0}, reach, points, workers);
   return result;
 }
 
