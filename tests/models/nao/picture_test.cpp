@@ -17,10 +17,11 @@ class NaoPicture : public testing::Test {
       for (const Visual& visual : link.visuals)
         meshes_.back() = shells.at(std::filesystem::path(visual.mesh).stem());
     }
-    // An L of 12 pieces, and one point that stands still.
+    // An L of 12 pieces; the pen stands still at its corner.
     const Eigen::Vector4d posture(-.1, -.3, 1.2, .6);
-    for (const Eigen::Vector2d& pen : {Eigen::Vector2d(-.2, .3), Eigen::Vector2d(-.2, .3)}) add(pen, posture);
+    add({-.2, .3}, posture);
     for (int i = 1; i <= 8; ++i) add({-.2, .3 - .06 * i}, posture);
+    add({-.2, .3 - .06 * 8}, posture);
     for (int i = 1; i <= 4; ++i) add({-.2 + .06 * i, -.18}, posture);
   }
   static RobotSettings settings() {
@@ -54,7 +55,7 @@ class NaoPicture : public testing::Test {
 };
 
 TEST_F(NaoPicture, HasAStrokeForEachPieceDrawnSoFar) {
-  for (const auto& [at, pieces] : {std::pair(0, 0), {1, 0}, {2, 1}, {9, 8}, {13, 12}})
+  for (const auto& [at, pieces] : {std::pair(0, 0), {1, 1}, {8, 8}, {9, 8}, {13, 12}})
     EXPECT_EQ(part(scene(at), "strokes").meshes.size(), static_cast<std::size_t>(pieces)) << at;
   // They lie on the plane, from the first point to the last.
   const Posed strokes = part(scene(13), "strokes");

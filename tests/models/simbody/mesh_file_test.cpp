@@ -87,6 +87,19 @@ TEST(MeshFile, ScaleAndMirrorKeepFacesOutward) {
   EXPECT_NEAR(volume(load_meshes(folder.path() / "a.obj", {1, -1, 1})), once, 1e-6);
 }
 
+// A ball stretched to an ellipsoid: its normals are (x / a^2, y / b^2, z / c^2), also in the mirror.
+TEST(MeshFile, NormalsFollowAnUnevenScale) {
+  const TestFolder folder;
+  save_scene(folder.path() / "a.obj", "obj", {{"ball", {ellipsoid({1, 1, 1})}}});
+  for (const Eigen::Vector3d& scale : {Eigen::Vector3d(1, 2, 4), Eigen::Vector3d(-3, 1, 1)})
+    for (const Mesh& mesh : load_meshes(folder.path() / "a.obj", scale))
+      for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Eigen::Vector3d vertex = mesh.vertices[i].cast<double>();
+        const Eigen::Vector3d outward = vertex.cwiseQuotient(scale).cwiseQuotient(scale).normalized();
+        EXPECT_GT(mesh.normals[i].cast<double>().dot(outward), .98) << vertex.transpose();
+      }
+}
+
 // A binary STL that says it has `count` triangles and has those of the floats.
 std::string stl(std::uint32_t count, const std::vector<std::array<float, 12>>& triangles) {
   std::string text(80, ' ');
@@ -255,6 +268,21 @@ TEST(LinkMeshes, MakeTheShapesOfTheUrdf) {
     EXPECT_NEAR(volume({moved(meshes[0][i], Eigen::Isometry3d(Eigen::Translation3d(-1, -2, -3)))}),
                 expected[i], 0.06 * expected[i]);
   }
+}
+
+// What the URDF and the profile say of a mesh's size multiplies; its place in the link is the URDF's.
+TEST(LinkMeshes, AreScaledAndPlaced) {
+  const TestFolder folder;
+  save_scene(folder.path() / "a.obj", "obj", {{"ball", {ellipsoid({1, 1, 1})}}});
+  const RobotModel model = load_urdf(
+      folder.write("a.urdf", robot(link("a",
+                                        "<visual><origin xyz=\"1 2 3\"/><geometry><mesh filename=\"a.obj\" "
+                                        "scale=\"1 2 3\"/></geometry></visual>"))));
+  Eigen::AlignedBox3f box;
+  const auto meshes = link_meshes(model, "", 0.1);
+  for (const Eigen::Vector3f& vertex : meshes.at(0).at(0).vertices) box.extend(vertex);
+  EXPECT_LT((box.center() - Eigen::Vector3f(1, 2, 3)).norm(), .01);
+  EXPECT_LT((box.sizes() - Eigen::Vector3f(.2f, .4f, .6f)).norm(), .01);
 }
 
 }  // namespace

@@ -57,13 +57,19 @@ TEST(RobotFacts, ReachIsTheFarthestPoint) {
     EXPECT_GE(reach.metres, farthest - 1e-9);
   }
   EXPECT_TRUE(found);
-  // Two links of 1 m whose elbow bends by no less than 90 degrees, and a follower that bends as much again.
+  // Two links of 1 m whose elbow bends by no less than 90 degrees.
   const double right = std::acos(0.);
   const RobotModel two =
       load(link("a") + link("b") + link("c") + link("d") + at(0, "j", "a", "b", limit(-1, 1)) +
            at(1, "k", "b", "c", limit(right, 2)) + at(1, "f", "c", "d", ""));
   ASSERT_EQ(chain_reaches(two).size(), 1u);
   EXPECT_NEAR(chain_reaches(two)[0].metres, std::sqrt(2.), 1e-9);
+  // The same elbow, held there by what it follows.
+  const std::string follows = fmt::format(R"(<mimic joint="j" multiplier="0" offset="{}"/>)", right);
+  const RobotModel held =
+      load(link("a") + link("b") + link("c") + link("d") + at(0, "j", "a", "b", limit(-1, 1)) +
+           at(1, "k", "b", "c", follows + limit(-2, 2)) + at(1, "f", "c", "d", ""));
+  EXPECT_NEAR(chain_reaches(held)[0].metres, std::sqrt(2.), 1e-9);
 }
 
 TEST(RobotFacts, WhatIsOddIsSaid) {

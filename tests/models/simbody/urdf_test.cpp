@@ -258,6 +258,18 @@ TEST(Urdf, NoMassAndNoInertiaIsAFrame) {
   EXPECT_FALSE(model.links[1].inertial);
 }
 
+TEST(Urdf, TurnsInertiasIntoTheLinksAxes) {
+  const TestFolder folder;
+  const RobotModel model = load_urdf(folder.write(
+      "a.urdf",
+      robot(link("a", R"(<inertial><origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/><mass value="2"/>)"
+                      R"(<inertia ixx="1" iyy="2" izz="2.5" ixy="0.1" ixz="0.2" iyz="0.3"/></inertial>)"))));
+  Eigen::Matrix3d expected;  // x became y, y became -x
+  expected << 2, -.1, -.3, -.1, 1, .2, -.3, .2, 2.5;
+  EXPECT_LT((model.links[0].inertial->inertia - expected).norm(), 1e-12);
+  EXPECT_EQ(model.links[0].inertial->centre, Eigen::Vector3d(1, 2, 3));
+}
+
 TEST(Urdf, KeepsTheOrderOfTheFile) {
   const TestFolder folder;
   const RobotModel model =
