@@ -159,16 +159,22 @@ TEST(Coverage, OfTheMirroredRobotIsMirrored) {
 TEST(MissingPart, NamesRegionsByCountWithTheFarthestOfEach) {
   std::vector<Eigen::Vector2d> points;
   std::vector<double> distances;
+  const auto distance = [](int i, int j) {
+    if (i < 5 && j < 4) return .012;
+    if (i > 55) return j > 55 ? .0034 : j < 3 ? .006 : 0;
+    return 0.;
+  };
   for (int i = 0; i < 60; ++i)
     for (int j = 0; j < 60; ++j) {
       points.push_back({i / 59., j / 59.});
-      distances.push_back(i < 5 && j < 4 ? .012 : (i > 55 && j > 55 ? .0034 : 0));
+      distances.push_back(distance(i, j));
     }
-  EXPECT_EQ(
-      missing_part(points, distances, .001),
-      "the lower left: 20 of 3 600 points, up to 12 mm away; the upper right: 16 of 3 600 points, up to "
-      "3.4 mm away");
-  EXPECT_EQ(missing_part(points, distances, .005), "the lower left: 20 of 3 600 points, up to 12 mm away");
+  const std::string left = "the lower left: 20 of 3 600 points, up to 12 mm away";
+  const std::string right = "; the lower right: 12 of 3 600 points, up to 6 mm away";
+  EXPECT_EQ(missing_part(points, distances, .001),
+            left + "; the upper right: 16 of 3 600 points, up to 3.4 mm away" + right);
+  EXPECT_EQ(missing_part(points, distances, .005), left + right);
+  EXPECT_EQ(missing_part(points, distances, .006), left);  // as far as the tolerance is within it
   EXPECT_EQ(missing_part(points, distances, .02), "");
   EXPECT_EQ(missing_part({}, {}, .02), "");
 }
