@@ -64,6 +64,7 @@ TEST(Polish, StaysInTheLimitsAndNeverGoesFarther) {
     EXPECT_TRUE((end.array() >= four().lower().array()).all());
     EXPECT_TRUE((end.array() <= four().upper().array()).all());
     EXPECT_LE((tip(end) - target).norm(), (tip(start) - target).norm());
+    EXPECT_EQ(polish(four(), tip(start), start), start);  // however unlike its joints are
   }
 }
 
