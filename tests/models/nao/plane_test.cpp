@@ -62,7 +62,7 @@ TEST(NaoPlane, RefinementCoversTheArmsArea) {
 
 // The best plane known before there was a search: radius 0.150 m, scale 0.258.
 TEST(NaoPlane, SearchFindsOneAsGoodAsTheKnown) {
-  const auto fit = arm_area(.09), all = arm_area(.06);
+  const auto fit = arm_area(.06), all = arm_area(.05);
   Workers workers(2);
   const RobotOnPlane robot = make_robot(nao(), DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
   const Clearance clearance(robot.body(), robot.tip());
