@@ -322,6 +322,15 @@ TEST_F(Dynamics, LimitsCutTorquesOff) {
   EXPECT_GT(run.speed[0], 0.1);
 }
 
+TEST_F(Dynamics, NoServoDrivesAJointBeyondItsSpeed) {
+  // Asked for 10 rad/s, with 4 allowed: the servo stops pushing there.
+  const Body body(pendulum(), {"a"});
+  const Replay run =
+      replay(body, 2, JointPath({0, 2}, {0, 0.2}, 0.05), {0}, Eigen::VectorXd::Zero(1), kServos);
+  EXPECT_GT(run.speed[0], 0.95);
+  EXPECT_LT(run.speed[0], 1.05);
+}
+
 TEST_F(Dynamics, LightJointsAreFound) {
   const std::string feather =
       R"(<inertial><mass value="1e-6"/><inertia ixx="1e-9" iyy="1e-9" izz="1e-9" ixy="0" ixz="0" iyz="0"/></inertial>)";
