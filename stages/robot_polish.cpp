@@ -88,14 +88,15 @@ void fill_gaps(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, const hb
         away.minCoeff(&start);
         away[start] = 1e9f;
         hbr::decode_joints(robot, elites.solution.row(start).data(), joints.data());
-        const Eigen::VectorXd moved = hbr::polish(robot, target, joints);
-        const Eigen::Vector3d tip = robot.body().position(robot.tip(), moved.data());
-        if ((tip - target).norm() > tolerance || !clearance.clear(moved.data(), board)) continue;
+        const Eigen::VectorXf genes = genes_of(robot, hbr::polish(robot, target, joints));
+        hbr::decode_joints(robot, genes.data(), joints.data());
+        const Eigen::Vector3d tip = robot.body().position(robot.tip(), joints.data());
+        if ((tip - target).norm() > tolerance || !clearance.clear(joints.data(), board)) continue;
         const Eigen::Index row = elites.size();
         elites.solution.conservativeResize(row + 1, Eigen::NoChange);
         elites.measures.conservativeResize(row + 1, Eigen::NoChange);
         elites.objective.conservativeResize(row + 1);
-        elites.solution.row(row) = genes_of(robot, moved).transpose();
+        elites.solution.row(row) = genes.transpose();
         elites.parent.push_back(elites.id[start]);
         elites.id.push_back(elites.id.back() + 1);
         perform(robot, frame, elites, row, joints);
@@ -131,9 +132,9 @@ void run(hbr::StageRun& stage) {
         robot.plane().to_robot(frame.point(before.measures.row(row).transpose().cast<double>()));
     old_errors.set(i, robot, target, joints);
 
-    const Eigen::VectorXd polished = hbr::polish(robot, target, joints);
-    if (clearance.clear(polished.data(), board))
-      after.solution.row(row) = genes_of(robot, polished).transpose();
+    const Eigen::VectorXf polished = genes_of(robot, hbr::polish(robot, target, joints));
+    hbr::decode_joints(robot, polished.data(), joints.data());
+    if (clearance.clear(joints.data(), board)) after.solution.row(row) = polished.transpose();
     perform(robot, frame, after, row, joints);
     new_errors.set(i, robot, target, joints);
   });

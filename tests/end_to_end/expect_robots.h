@@ -6,9 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "models/simbody/clearance.h"
+#include "models/simbody/plane_file.h"
+#include "models/simbody/robot_on_plane.h"
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/repertoire_file.h"
 
@@ -17,6 +21,44 @@ namespace hbr {
 class RobotArtifacts {
  public:
   explicit RobotArtifacts(std::filesystem::path out) : out_(std::move(out)) {}
+
+  // Elites of layer 1, as evolved and as polished: each is where its joints put the pen, near enough to the
+  // plane, and clear of the robot itself and the board. Polishing brings them nearer and fills gaps.
+  void expect_points(const std::string& name) const {
+    const auto settings = nlohmann::json::parse(of(name + "_layer1").text_attribute("settings"));
+    const auto table = settings_from_json<RobotSettings>(settings.at("robot"), name);
+    const double half_side = settings.at("half_side");
+    const RobotOnPlane robot = make_robot(table, load_plane(out_ / (name + "_plane.h5")));
+    const Clearance clearance(robot.body(), robot.tip());
+    const Elites evolved = read_elites(path(name + "_layer1")),
+                 polished = read_elites(path(name + "_polish"));
+    ASSERT_GT(evolved.size(), 0);
+    ASSERT_GE(polished.size(), evolved.size());
+    for (const Elites* elites : {&evolved, &polished})
+      for (Eigen::Index i = 0; i < elites->size(); ++i) {
+        Eigen::VectorXd joints(robot.dof());
+        for (Eigen::Index j = 0; j < robot.dof(); ++j)
+          joints[j] =
+              std::lerp(robot.lower()[j], robot.upper()[j], static_cast<double>(elites->solution(i, j)));
+        EXPECT_TRUE(clearance.clear(joints.data(), {robot.plane(), half_side})) << i;
+        const Pen pen = robot.plane().to_pen(robot.body().position(robot.tip(), joints.data()));
+        EXPECT_LE(std::abs(pen.off_plane), table.off_plane_tolerance * 1.001) << i;
+        const Eigen::Array2f place = ((pen.position.array() / half_side + 1) / 2).cast<float>();
+        EXPECT_LT((elites->measures.row(i).transpose().array() - place).abs().maxCoeff(), 1e-5f) << i;
+      }
+    const Hdf5Reader file = of(name + "_polish");
+    const auto off_before = file.read<float>("before/off_plane").values,
+               off_after = file.read<float>("after/off_plane").values,
+               gaps_before = file.read<float>("before/nearest").values,
+               gaps_after = file.read<float>("after/nearest").values;
+    const auto median = [](std::vector<float> values) {
+      std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+      return values[values.size() / 2];
+    };
+    EXPECT_LT(median(off_after), median(off_before));
+    ASSERT_EQ(gaps_after.size(), static_cast<std::size_t>(read_elites(path("layer1")).size()));
+    EXPECT_LT(median(gaps_after), median(gaps_before));
+  }
 
   // Digits drawn by both: the arm's are layer 4's, the differences those of the images, to a grey value.
   void expect_transfer(const std::string& robot) const {

@@ -114,6 +114,7 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   const RobotArtifacts robots(experiment.out("one"));
   for (const char* robot : {"nao", "nao_left", "industrial"}) {
     SCOPED_TRACE(robot);
+    robots.expect_points(robot);
     robots.expect_transfer(robot);
     robots.expect_dynamics(robot);
     robots.expect_tuned(robot);

@@ -76,6 +76,7 @@ class TinyExperiment {
     profile.set("robot_picture", "height", "150");
     profile.set_everywhere("generations", "20");
     profile.set_everywhere("samples", "3");
+    profile.set("robot_layer1", "generations", "200");  // few random configurations come near a plane
     profile.set("robot_plane", "samples", "20000");
     profile.set("robot_plane", "refined", "1");
   }
