@@ -331,7 +331,7 @@ class Experiment {
                         {"search", search(p_.robot_layer1, p_.robot_layer1)}}),
           {{"plane", plane + ".h5"}}, {robot.urdf});
       add("robot_polish", robot.name + "_polish", r,
-          {{"half_side", p_.half_side}, {"spacing", p_.robot_layer1.spacing}, {"robot", body}},
+          with(run(r), {{"half_side", p_.half_side}, {"spacing", p_.robot_layer1.spacing}, {"robot", body}}),
           {{"plane", plane + ".h5"},
            {"robot_layer1", numbered(robot.name + "_layer1", r)},
            {"layer1", numbered("layer1", r)}},

@@ -1,25 +1,28 @@
 // Layer 1 of another robot, each elite moved exactly onto the drawing plane: to its own place there, within
 // the joints' limits, with the joints as much alike as the place allows. Then the arm's points that have no
-// elite near them get one, where the robot can come there.
+// elite near them get one, where the robot can come there: from the nearest elites, or by inverse kinematics.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "models/simbody/clearance.h"
 #include "models/simbody/plane_file.h"
 #include "models/simbody/polish.h"
+#include "models/simbody/reach.h"
 #include "models/simbody/robot_on_plane.h"
 #include "pipeline/core/parallel.h"
 #include "stages/evolve.h"
 
 namespace {
 
-struct PolishSlice {
+struct PolishSlice : hbr::RunTable {
   double half_side = 0;
   double spacing = 0;
   hbr::RobotSettings robot;
 };
 template <class Fields>
 void describe(Fields& f, PolishSlice& s) {
+  describe_run(f, s);
   f.number("half_side", s.half_side, hbr::Range{1e-3, 100}, "L: half the side of the drawing area, m");
   f.number("spacing", s.spacing, hbr::Range{1e-4, 10}, "l: of layer 1, descriptor units");
   f.table("robot", s.robot, "the robot");
@@ -69,43 +72,95 @@ void perform(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, hbr::Elite
   elites.objective[row] = static_cast<float>(-hbr::joint_variance(joints.data(), robot.dof()));
 }
 
-// Moves a copy of one of the nearest elites to each of the arm's points that has none within l, again and
-// again while that succeeds: the edge of a gap is where the next start stands. Ids go on after the last.
-void fill_gaps(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, const hbr::Clearance& clearance,
-               const hbr::Board& board, const hbr::Rows& points, float spacing, double tolerance,
-               hbr::Elites& elites) {
-  constexpr int kStarts = 4;
-  Eigen::VectorXd joints(robot.dof());
-  for (bool more = true; more;) {
-    more = false;
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-      Eigen::VectorXf away = (elites.measures.rowwise() - points.row(i)).rowwise().squaredNorm().cwiseSqrt();
-      if (away.minCoeff() <= spacing) continue;
-      const Eigen::Vector3d target =
-          robot.plane().to_robot(frame.point(points.row(i).transpose().cast<double>()));
-      for (int k = 0; k < kStarts; ++k) {
-        Eigen::Index start = 0;
-        away.minCoeff(&start);
-        away[start] = 1e9f;
-        hbr::decode_joints(robot, elites.solution.row(start).data(), joints.data());
-        const Eigen::VectorXf genes = genes_of(robot, hbr::polish(robot, target, joints));
-        hbr::decode_joints(robot, genes.data(), joints.data());
-        const Eigen::Vector3d tip = robot.body().position(robot.tip(), joints.data());
-        if ((tip - target).norm() > tolerance || !clearance.clear(joints.data(), board)) continue;
-        const Eigen::Index row = elites.size();
-        elites.solution.conservativeResize(row + 1, Eigen::NoChange);
-        elites.measures.conservativeResize(row + 1, Eigen::NoChange);
-        elites.objective.conservativeResize(row + 1);
-        elites.solution.row(row) = genes.transpose();
-        elites.parent.push_back(elites.id[start]);
-        elites.id.push_back(elites.id.back() + 1);
-        perform(robot, frame, elites, row, joints);
-        more = true;
-        break;
-      }
+// Gives the arm's points that have no elite within l one of their own.
+class Gaps {
+ public:
+  Gaps(const hbr::RobotOnPlane& robot, const hbr::Frame& frame, const hbr::Clearance& clearance,
+       const hbr::Rows& points, float spacing, double tolerance)
+      : robot_(robot),
+        frame_(frame),
+        clearance_(clearance),
+        board_{robot.plane(), frame.half_side},
+        points_(points),
+        spacing_(spacing),
+        tolerance_(tolerance) {}
+
+  // From the nearest elites, again and again while that succeeds: the edge of a gap is where the next start
+  // stands. What is left then, by inverse kinematics from anywhere. Ids go on after the last.
+  void fill(hbr::Elites& elites, hbr::Seed seed) const {
+    while (pass(elites, [&](const auto& target, const auto& away) { return near(elites, target, away); })) {
     }
+    std::optional<hbr::Reach> reach;
+    pass(elites, [&](const auto& target, const auto&) {
+      if (!reach) reach.emplace(robot_.body(), robot_.tip(), clearance_, kSamples, 0, seed);
+      return Found{-1, arrive(reach->nearest(target, board_, kAnywhere, tolerance_ / 10).joints, target)};
+    });
   }
-}
+
+ private:
+  static constexpr int kNear = 4, kAnywhere = 8;  // starts
+  static constexpr int kSamples = 20000;          // where inverse kinematics may start
+
+  struct Found {
+    Eigen::Index parent = -1;
+    Eigen::VectorXf genes;  // empty: there is no way
+  };
+
+  Found near(const hbr::Elites& elites, const Eigen::Vector3d& target, Eigen::VectorXf away) const {
+    Eigen::VectorXd joints(robot_.dof());
+    for (int k = 0; k < kNear; ++k) {
+      Eigen::Index start = 0;
+      away.minCoeff(&start);
+      away[start] = 1e9f;
+      hbr::decode_joints(robot_, elites.solution.row(start).data(), joints.data());
+      if (Eigen::VectorXf genes = arrive(joints, target); genes.size() > 0) return {start, std::move(genes)};
+    }
+    return {};
+  }
+
+  Eigen::VectorXf arrive(const Eigen::VectorXd& start, const Eigen::Vector3d& target) const {
+    Eigen::VectorXf genes = genes_of(robot_, hbr::polish(robot_, target, start));
+    Eigen::VectorXd joints(robot_.dof());
+    hbr::decode_joints(robot_, genes.data(), joints.data());
+    const double distance = (robot_.body().position(robot_.tip(), joints.data()) - target).norm();
+    if (distance > tolerance_ || !clearance_.clear(joints.data(), board_)) genes.resize(0);
+    return genes;
+  }
+
+  // Calls find(target, distances of all elites from there) for each gap; whether any was filled.
+  template <class Find>
+  bool pass(hbr::Elites& elites, const Find& find) const {
+    bool any = false;
+    Eigen::VectorXd joints(robot_.dof());
+    for (Eigen::Index i = 0; i < points_.rows(); ++i) {
+      const Eigen::VectorXf away =
+          (elites.measures.rowwise() - points_.row(i)).rowwise().squaredNorm().cwiseSqrt();
+      if (away.minCoeff() <= spacing_) continue;
+      const Eigen::Vector3d target =
+          robot_.plane().to_robot(frame_.point(points_.row(i).transpose().cast<double>()));
+      const Found found = find(target, away);
+      if (found.genes.size() == 0) continue;
+      const Eigen::Index row = elites.size();
+      elites.solution.conservativeResize(row + 1, Eigen::NoChange);
+      elites.measures.conservativeResize(row + 1, Eigen::NoChange);
+      elites.objective.conservativeResize(row + 1);
+      elites.solution.row(row) = found.genes.transpose();
+      elites.parent.push_back(found.parent < 0 ? -1 : elites.id[static_cast<std::size_t>(found.parent)]);
+      elites.id.push_back(elites.id.back() + 1);
+      perform(robot_, frame_, elites, row, joints);
+      any = true;
+    }
+    return any;
+  }
+
+  const hbr::RobotOnPlane& robot_;
+  const hbr::Frame& frame_;
+  const hbr::Clearance& clearance_;
+  hbr::Board board_;
+  const hbr::Rows& points_;
+  float spacing_;
+  double tolerance_;
+};
 
 void run(hbr::StageRun& stage) {
   const auto s = stage.settings_as<PolishSlice>();
@@ -138,8 +193,9 @@ void run(hbr::StageRun& stage) {
     perform(robot, frame, after, row, joints);
     new_errors.set(i, robot, target, joints);
   });
-  fill_gaps(robot, frame, clearance, board, arm.measures, static_cast<float>(s.spacing),
-            s.robot.off_plane_tolerance, after);
+  const hbr::Seed seed = hbr::Seed(s.seed).child(stage.stage()).child(s.replication);
+  Gaps(robot, frame, clearance, arm.measures, static_cast<float>(s.spacing), s.robot.off_plane_tolerance)
+      .fill(after, seed);
 
   hbr::Hdf5Writer file(stage.output());
   hbr::write_elites(file, after, {});

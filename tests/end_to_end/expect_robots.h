@@ -58,6 +58,10 @@ class RobotArtifacts {
     EXPECT_LT(median(off_after), median(off_before));
     ASSERT_EQ(gaps_after.size(), static_cast<std::size_t>(read_elites(path("layer1")).size()));
     EXPECT_LT(median(gaps_after), median(gaps_before));
+    const auto spacing = static_cast<float>(file.number_attribute("settings.spacing"));
+    const auto within = std::ranges::count_if(gaps_after, [&](float gap) { return gap <= spacing; });
+    const double covered = Hdf5Reader(out_ / (name + "_plane.h5")).number_attribute("covered");
+    EXPECT_GE(static_cast<double>(within), (covered - 0.02) * static_cast<double>(gaps_after.size()));
   }
 
   // Digits drawn by both: the arm's are layer 4's, the differences those of the images, to a grey value.
