@@ -29,6 +29,19 @@ Eigen::Vector3d edges_of(const Visual& visual) {
   }
 }
 
+constexpr double kFoam = 50;         // kg / m^3
+constexpr double kLeastMass = 1e-9;  // kg
+
+// From a link's frame to those of the links that hang on it, half as thick as long.
+std::vector<Capsule> rods_of(const RobotModel& model, int link) {
+  std::vector<Capsule> rods;
+  for (const Joint& joint : model.joints) {
+    const Eigen::Vector3d middle = joint.origin.translation() / 2;
+    if (joint.parent == link && !middle.isZero()) rods.push_back({link, middle, middle, middle.norm() / 2});
+  }
+  return rods;
+}
+
 }  // namespace
 
 std::vector<Capsule> capsules_of(const RobotModel& model, int link) {
@@ -45,10 +58,16 @@ std::vector<Capsule> capsules_of(const RobotModel& model, int link) {
   // A solid box of mass m has the moment m (b^2 + c^2) / 12 about its edge a.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(body.inertial->inertia);
   const Eigen::Vector3d moments = principal.eigenvalues();
+  const double mass = body.inertial->mass;
+  const Eigen::Vector3d edges =
+      (6 / std::max(mass, kLeastMass) * (moments.sum() - 2 * moments.array())).cwiseMax(0).sqrt();
+  const std::vector<Capsule> rods = rods_of(model, link);
+  if (mass < kFoam * edges.prod() && !rods.empty()) return rods;
+  if (mass < kLeastMass) return {};
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = body.inertial->centre;
   pose.linear() = principal.eigenvectors();
-  add(pose, (6 / body.inertial->mass * (moments.sum() - 2 * moments.array())).cwiseMax(0).sqrt());
+  add(pose, edges);
   return result;
 }
 

@@ -20,7 +20,9 @@ struct Capsule {
 };
 
 // A link's visual boxes, cylinders and spheres as capsules; where it has none (meshes say nothing here), the
-// capsule of the solid box that has its mass and inertia.
+// capsule of the solid box that has its mass and inertia. Where that box is lighter than foam, the masses of
+// the URDF are not those of a body of that shape: rods from the link's frame to those of the links that hang
+// on it stand for it, where there are any.
 std::vector<Capsule> capsules_of(const RobotModel& model, int link);
 
 // Least squared distance between the segments of two capsules in one frame, m^2.
