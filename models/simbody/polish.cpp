@@ -1,8 +1,8 @@
 #include "models/simbody/polish.h"
 
-#include <ceres/ceres.h>
-
 #include <cmath>
+
+#include "models/simbody/solver.h"
 
 namespace hbr {
 namespace {
@@ -61,13 +61,8 @@ Eigen::VectorXd polish(const RobotOnPlane& robot, const Eigen::Vector3d& target,
     problem.SetParameterLowerBound(joints.data(), k, robot.lower()[k]);
     problem.SetParameterUpperBound(joints.data(), k, robot.upper()[k]);
   }
-  ceres::Solver::Options options;
-  options.max_num_iterations = 30;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.function_tolerance = 1e-9;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  ceres::Solve(dense_solver(30, 1e-9), &problem, &summary);
   const auto distance = [&](const Eigen::VectorXd& q) {
     return (robot.body().position(robot.tip(), q.data()) - target).norm();
   };

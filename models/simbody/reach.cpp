@@ -1,13 +1,12 @@
 #include "models/simbody/reach.h"
 
-#include <ceres/ceres.h>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
 #include <fmt/ranges.h>
 
+#include "models/simbody/solver.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -129,11 +128,7 @@ Eigen::VectorXd Reach::descend(const Eigen::Vector3d& target, int start, double 
     problem.SetParameterLowerBound(joints.data(), k, lower_[k]);
     problem.SetParameterUpperBound(joints.data(), k, upper_[k]);
   }
-  ceres::Solver::Options options;
-  options.max_num_iterations = 30;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.function_tolerance = 1e-9;
+  ceres::Solver::Options options = dense_solver(30, 1e-9);
   options.gradient_tolerance = 1e-12;
   options.parameter_tolerance = 1e-9;
   Arrived arrived(enough);

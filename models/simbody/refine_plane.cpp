@@ -1,9 +1,9 @@
 #include "models/simbody/refine_plane.h"
 
-#include <ceres/ceres.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "models/simbody/solver.h"
 
 namespace hbr {
 namespace {
@@ -97,13 +97,8 @@ Board refine_plane(const Board& board, const Reach& reach, const std::vector<Eig
   Pose pose = start;
   ceres::Problem problem;
   problem.AddResidualBlock(new Missed(reach, points, start, board.half_side, workers), nullptr, pose.data());
-  ceres::Solver::Options options;
-  options.max_num_iterations = 15;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.function_tolerance = 1e-3;
   ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  ceres::Solve(dense_solver(15, 1e-3), &problem, &summary);
   return {plane_of(pose), board.half_side};
 }
 

@@ -4,13 +4,15 @@
 #include <gtest/gtest.h>
 
 #include "models/nao/nao_meshes.h"
+#include "tests/models/nao/right_arm.h"
 
 namespace hbr {
 namespace {
 
 class NaoPicture : public testing::Test {
  protected:
-  NaoPicture() : robot_(make_robot(settings(), DrawingPlane::facing({.143, -.152, .090}, -.38, -.07, .258))) {
+  NaoPicture()
+      : robot_(make_robot(nao_right_arm(), DrawingPlane::facing({.143, -.152, .090}, -.38, -.07, .258))) {
     const auto shells = nao_meshes();
     for (const Link& link : robot_.body().model().links) {
       meshes_.emplace_back();
@@ -23,14 +25,6 @@ class NaoPicture : public testing::Test {
     for (int i = 1; i <= 8; ++i) add({-.2, .3 - .06 * i}, posture);
     add({-.2, .3 - .06 * 8}, posture);
     for (int i = 1; i <= 4; ++i) add({-.2 + .06 * i, -.18}, posture);
-  }
-  static RobotSettings settings() {
-    RobotSettings s;
-    s.name = "nao";
-    s.urdf = HBR_SOURCE_DIR "/models/nao/nao.urdf";
-    s.tip_link = "r_gripper";
-    s.joints = {"RShoulderPitch", "RShoulderRoll", "RElbowYaw", "RElbowRoll"};
-    return s;
   }
   void add(const Eigen::Vector2d& pen, const Eigen::Vector4d& posture) {
     drawing_.pen.push_back(pen);

@@ -6,6 +6,7 @@
 #include "models/simbody/refine_plane.h"
 #include "models/simbody/robot_on_plane.h"
 #include "models/simbody/search_plane.h"
+#include "tests/models/nao/right_arm.h"
 
 namespace hbr {
 namespace {
@@ -21,19 +22,10 @@ std::vector<Eigen::Vector2d> arm_area(double spacing) {
   return points;
 }
 
-RobotSettings nao() {
-  RobotSettings s;
-  s.name = "nao";
-  s.urdf = HBR_SOURCE_DIR "/models/nao/nao.urdf";
-  s.tip_link = "r_gripper";
-  s.joints = {"RShoulderPitch", "RShoulderRoll", "RElbowYaw", "RElbowRoll"};
-  return s;
-}
-
 constexpr double kHalfSide = .63965;  // m of the arm
 
 double covered(const DrawingPlane& plane, const std::vector<Eigen::Vector2d>& points) {
-  const RobotOnPlane robot = make_robot(nao(), plane);
+  const RobotOnPlane robot = make_robot(nao_right_arm(), plane);
   const Clearance clearance(robot.body(), robot.tip());
   const Reach reach(robot.body(), robot.tip(), clearance, 20000, 0, Seed(1));
   Workers workers(2);
@@ -48,7 +40,7 @@ TEST(NaoPlane, RefinementCoversTheArmsArea) {
   const auto fit = arm_area(.1), all = arm_area(.06);
   Workers workers(2);
   const auto refined = [&](const DrawingPlane& start) {
-    const RobotOnPlane robot = make_robot(nao(), start);
+    const RobotOnPlane robot = make_robot(nao_right_arm(), start);
     const Clearance clearance(robot.body(), robot.tip());
     const Reach reach(robot.body(), robot.tip(), clearance, 20000, .05, Seed(2));
     return refine_plane({start, kHalfSide}, reach, fit, workers).plane;
@@ -64,7 +56,7 @@ TEST(NaoPlane, RefinementCoversTheArmsArea) {
 TEST(NaoPlane, SearchFindsOneAsGoodAsTheKnown) {
   const auto fit = arm_area(.06), all = arm_area(.05);
   Workers workers(2);
-  const RobotOnPlane robot = make_robot(nao(), DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
+  const RobotOnPlane robot = make_robot(nao_right_arm(), DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
   const Clearance clearance(robot.body(), robot.tip());
   const ReachMap map(robot.body(), robot.tip(), clearance, 200000, .05, Seed(3), workers);
   const Reach reach(robot.body(), robot.tip(), clearance, 20000, .05, Seed(2));
