@@ -1,6 +1,6 @@
 # The way in. `make help` tells what there is; `make all PROFILE=reduced` makes the whole experiment.
 #
-# Two steps: CMake builds the programs, then build/release/bin/hbr cuts the profile into one slice per stage, finds
+# Two steps: CMake builds the programs, then BUILD/release/bin/hbr cuts the profile into one slice per stage, finds
 # by content what is not as it should be, and calls make again with the plan of just that (OUT/.plan/plan.mk).
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
@@ -10,6 +10,9 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 PROFILE ?= paper
 profile_file := $(if $(filter %.toml,$(PROFILE)),$(PROFILE),stages/profiles/$(PROFILE).toml)
 OUT ?= out/$(basename $(notdir $(PROFILE)))
+BUILD ?= build
+HBR_ARCH ?= native
+WERROR ?=
 THREADS ?= 0
 LAUNCH ?=
 DEPS ?= auto
@@ -27,7 +30,7 @@ stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
 dry := $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
 
-programs := build/release/bin
+programs := $(BUILD)/release/bin
 arguments := --profile '$(profile_file)' --out '$(OUT)' --threads '$(THREADS)' --launch '$(LAUNCH)' \
   $(if $(REP),--replication '$(REP)')
 
@@ -39,7 +42,7 @@ help:
 	@echo 'make test            build and run all tests'
 	@echo 'make bench           build and run the benchmarks and keep their table; BENCH=regex: only those, only shown'
 	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers'
-	@echo 'make coverage        all tests, and build/coverage/html: which lines they reach'
+	@echo 'make coverage        all tests, and BUILD/coverage/html: which lines they reach'
 	@echo 'make format          clang-format on all sources; check-format only tells'
 	@echo 'make status          what is fresh, stale or missing, and why'
 	@echo 'make audit           read every artifact again and compare it with its manifest'
@@ -49,11 +52,14 @@ help:
 	@echo 'make robot URDF=FILE what a robot is: joints, mass, reach, a picture and a .glb in OUT (here out/robot);'
 	@echo '                     MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
 	@echo 'make deps, build, data   install what is missing; build the programs; fetch MNIST'
-	@echo 'make clean           remove build/; distclean: out/ and .cache/ (downloads), too'
+	@echo 'make clean           remove BUILD; distclean: out/ and .cache/ (downloads), too'
 	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
 	@echo 'PROFILE=$(PROFILE)   one of: $(basename $(notdir $(wildcard stages/profiles/*.toml))); or a file.toml'
 	@echo 'OUT=$(OUT)   where artifacts go'
+	@echo 'BUILD=$(BUILD)   where programs are built; with OUT elsewhere, too, the sources may be read-only'
+	@echo 'HBR_ARCH=$(HBR_ARCH)   processors to build for (-march): this one, or x86-64-v3 and so on; CXX=clang++: another compiler'
+	@echo 'WERROR=$(WERROR)   1: a warning stops the build, as CI has it'
 	@echo 'THREADS=$(THREADS)   threads of one stage program; 0: the processors, shared among the N of -jN'
 	@echo 'LAUNCH=$(LAUNCH)   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt"'
 	@echo 'MNIST_DIR=$(MNIST_DIR)   folder of the four MNIST files; without it they are downloaded'
@@ -61,24 +67,38 @@ help:
 
 # Set-up and build -----------------------------------------------------------------------------------------------
 
-deps: build/.packages
+$(if $(word 2,$(BUILD)),$(error BUILD is '$(BUILD)': the build folder's path must have no space))
+packages := $(BUILD)/.packages
+deps: $(packages)
 # Looked at again when the list or what is installed changes.
-build/.packages: .ci/packages.txt $(wildcard /var/lib/dpkg/status)
+$(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
 	@.ci/packages '$(DEPS)'
-	@mkdir -p build && touch $@
+	@mkdir -p '$(BUILD)' && touch $@
+
+# settings(preset): what a build folder is made for; it keeps them. Others (the checkout moved, HBR_ARCH changed)
+# need CMake afresh, or the sources of elsewhere would be compiled.
+compiler := $(if $(filter-out default undefined,$(origin CXX)),-DCMAKE_CXX_COMPILER='$(CXX)')
+settings = -DHBR_BUILD=$(1) -DHBR_ARCH='$(HBR_ARCH)' -DHBR_WERROR=$(if $(WERROR),ON,OFF) $(compiler)
+kept = $(settings) $(CURDIR) $(abspath $(BUILD))
+quoted = '$(subst ','\'',$(1))'
 
 # configure(preset): CMake, once; Ninja calls it again when a CMakeLists.txt or a folder's files change.
 define configure
-build/$(1)/build.ninja: | build/.packages
-	@cmake --fresh -S . -B build/$(1) -G Ninja -DHBR_BUILD=$(1) >build/$(1).log || { cat build/$(1).log >&2; exit 1; }
+ifneq ($$(file <$(BUILD)/$(1)/settings.txt),$$(call kept,$(1)))
+.PHONY: $(BUILD)/$(1)/build.ninja
+endif
+$(BUILD)/$(1)/build.ninja: | $(packages)
+	@cmake --fresh -S . -B $(BUILD)/$(1) -G Ninja $$(call settings,$(1)) >$(BUILD)/$(1).log || \
+	  { cat $(BUILD)/$(1).log >&2; exit 1; }
+	@printf '%s\n' $$(call quoted,$$(call kept,$(1))) >$(BUILD)/$(1)/settings.txt
 endef
 $(foreach preset,release sanitize coverage,$(eval $(call configure,$(preset))))
 
 # compile(preset, target): Ninja tells its steps, and nothing where there are none.
 idle := ^ninja: (no work|Entering)|Re-checking globbed
-compile = cmake --build build/$(1) --target $(2) | { grep --line-buffered -vE '$(idle)' || true; }
+compile = cmake --build $(BUILD)/$(1) --target $(2) | { grep --line-buffered -vE '$(idle)' || true; }
 
-build: build/.packages build/release/build.ninja
+build: $(packages) $(BUILD)/release/build.ninja
 	@$(call compile,release,programs)
 
 # The experiment -------------------------------------------------------------------------------------------------
@@ -88,7 +108,7 @@ all $(stages): experiment
 	@[ ! -e '$(OUT)/page.json' ] || [ '$(OUT)/report/index.html' -nt '$(OUT)/page.json' ] || \
 	  $(programs)/publish '$(OUT)/page' '$(OUT)' '$(OUT)/report'
 
-data: build/.packages
+data: $(packages)
 	@DEPS='$(DEPS)' pipeline/fetch_mnist.sh $(mnist)
 
 # MNIST is fetched where the profile asks for it and it is not there. The + hands over make's jobs, and lets
@@ -117,43 +137,43 @@ verify: build
 	@$(programs)/reference verify '$(OUT)' reports/reference
 
 # Any robot, before it has a place in a profile.
-robot: build/.packages build/release/build.ninja
+robot: $(packages) $(BUILD)/release/build.ninja
 	@$(call compile,release,robot)
 	@$(programs)/robot '$(URDF)' '$(if $(filter file,$(origin OUT)),out/robot,$(OUT))' '$(MESHES)' $(POSE)
 
 # Tests and checks -----------------------------------------------------------------------------------------------
 
 # run_tests(preset): all tests; CTest's summary stands last.
-run_tests = @$(call compile,$(1),all) && ctest --test-dir build/$(1) --output-on-failure --parallel $$(nproc)
+run_tests = @$(call compile,$(1),all) && ctest --test-dir $(BUILD)/$(1) --output-on-failure --parallel $$(nproc)
 
-test: build/.packages build/release/build.ninja
+test: $(packages) $(BUILD)/release/build.ninja
 	$(call run_tests,release)
 
-sanitize: build/.packages build/sanitize/build.ninja
+sanitize: $(packages) $(BUILD)/sanitize/build.ninja
 	$(call run_tests,sanitize)
 
-coverage: build/.packages build/coverage/build.ninja
+coverage: $(packages) $(BUILD)/coverage/build.ninja
 	@.ci/packages '$(DEPS)' coverage
-	@find build/coverage -name '*.gcda' -delete
+	@find $(BUILD)/coverage -name '*.gcda' -delete
 	$(call run_tests,coverage)
-	@lcov --quiet --capture --directory build/coverage --output-file build/coverage/all.info
-	@lcov --quiet --extract build/coverage/all.info '$(CURDIR)/pipeline/*' '$(CURDIR)/models/*' '$(CURDIR)/reports/*' \
-	  '$(CURDIR)/stages/*' --output-file build/coverage/own.info
-	@genhtml --quiet --output-directory build/coverage/html build/coverage/own.info
-	@lcov --summary build/coverage/own.info
+	@lcov --quiet --capture --directory $(BUILD)/coverage --output-file $(BUILD)/coverage/all.info
+	@lcov --quiet --extract $(BUILD)/coverage/all.info '$(CURDIR)/pipeline/*' '$(CURDIR)/models/*' '$(CURDIR)/reports/*' \
+	  '$(CURDIR)/stages/*' --output-file $(BUILD)/coverage/own.info
+	@genhtml --quiet --output-directory $(BUILD)/coverage/html $(BUILD)/coverage/own.info
+	@lcov --summary $(BUILD)/coverage/own.info
 
 # Each benchmark's fastest of three repetitions counts. A whole run is kept with the sources.
-bench: build/.packages build/release/build.ninja
+bench: $(packages) $(BUILD)/release/build.ninja
 	@$(call compile,release,benchmarks)
-	@rm -rf build/bench && mkdir -p build/bench
+	@rm -rf $(BUILD)/bench && mkdir -p $(BUILD)/bench
 	@for bench in $(programs)/bench_*; do \
-	  results=build/bench/$${bench##*/bench_}; \
+	  results=$(BUILD)/bench/$${bench##*/bench_}; \
 	  "$$bench" --benchmark_filter='$(or $(BENCH),.)' --benchmark_repetitions=3 --benchmark_min_time=0.2 \
 	    --benchmark_display_aggregates_only --benchmark_out=$$results.json >$$results.txt 2>&1 || { cat $$results.txt; exit 1; }; \
 	  [ -s $$results.json ] || rm $$results.json; \
 	done
-	@ls build/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$(BENCH)'" >&2; exit 2; }
-	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' build/bench/*.json
+	@ls $(BUILD)/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$(BENCH)'" >&2; exit 2; }
+	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' $(BUILD)/bench/*.json
 
 format:
 	@.ci/packages '$(DEPS)' format
@@ -164,6 +184,6 @@ check-format:
 	@git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
 
 clean:
-	@rm -rf build
+	@rm -rf '$(BUILD)'
 distclean: clean
 	@rm -rf out .cache

@@ -2,6 +2,8 @@
 // both) -> pages (a folder).
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 #include <vector>
 
@@ -43,7 +45,6 @@ void describe(Fields& f, FakeProfile& p) {
 }
 
 inline Graph fake_graph(const FakeProfile& profile) {
-  const auto two_digits = [](int i) { return (i < 10 ? "0" : "") + std::to_string(i); };
   Graph graph;
   const auto add = [&](const char* stage, int replication, std::string output, const FakeSettings& settings,
                        std::vector<std::pair<std::string, std::string>> inputs) {
@@ -61,11 +62,11 @@ inline Graph fake_graph(const FakeProfile& profile) {
   for (int r = 0; r < profile.replications; ++r) {
     FakeSettings a = profile.layer_a;
     a.number += r;
-    const std::string output_a = "layer_a/" + two_digits(r) + ".h5",
-                      output_b = "layer_b/" + two_digits(r) + ".h5";
+    const std::string output_a = fmt::format("layer_a/{:02}.h5", r),
+                      output_b = fmt::format("layer_b/{:02}.h5", r);
     add("layer_a", r, output_a, a, {{"base", "base.h5"}});
     add("layer_b", r, output_b, profile.layer_b, {{"layer_a", output_a}});
-    all.emplace_back("b" + two_digits(r), output_b);
+    all.emplace_back(fmt::format("b{:02}", r), output_b);
   }
   add("sum", -1, "sum.h5", profile.sum, all);
   FakeSettings pages;
