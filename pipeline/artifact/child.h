@@ -9,8 +9,7 @@ namespace hbr {
 struct ChildResult {
   int exit_code = 0;  // -1 where a signal ended it
   int signal = 0;
-  double seconds = 0, cpu_seconds = 0;
-  long peak_memory_bytes = 0;
+  double seconds = 0;
 };
 
 // Runs it to its end. Termination and interrupt signals are handed on to it, and are reported as its end.

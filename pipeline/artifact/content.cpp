@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -170,8 +171,7 @@ void sync_to_disk(const fs::path& path) {
 }
 
 void write_whole(const fs::path& path, std::string_view text) {
-  const fs::path temporary =
-      path.parent_path() / fmt::format(".tmp-{}-{}", ::getpid(), path.filename().string());
+  const fs::path temporary = temporary_beside(path);
   try {
     const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
     file.write(text);

@@ -1,8 +1,5 @@
 #include "pipeline/artifact/runner.h"
 
-#include <fmt/chrono.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
@@ -11,24 +8,32 @@
 
 #include "pipeline/artifact/child.h"
 #include "pipeline/artifact/progress.h"
-#include "pipeline/artifact/toolchain.h"
+#include "pipeline/artifact/record.h"
+#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
 namespace fs = std::filesystem;
 namespace {
 
-const std::string kTemporary = ".tmp-", kCheckpoint = ".checkpoint-";
-
-// Hidden names beside the artifact; the file's name stands last so that it keeps its ending.
-fs::path beside(const fs::path& artifact, const std::string& prefix, const std::string& mark) {
-  return artifact.parent_path() / fmt::format("{}{}-{}", prefix, mark, artifact.filename().string());
-}
+const std::string kCheckpoint = ".checkpoint-";
 
 // A checkpoint belongs to one key: another's would lead to other bytes.
 fs::path checkpoint_path(const fs::path& artifact, const std::string& key) {
-  return beside(artifact, kCheckpoint, key.substr(0, 16));
+  return artifact.parent_path() /
+         fmt::format("{}{}-{}", kCheckpoint, key.substr(0, 16), artifact.filename().string());
 }
+
+// Gone with this, whatever happens, unless it became something else before.
+struct Temporary {
+  explicit Temporary(fs::path where) : path(std::move(where)) {}
+  ~Temporary() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  Temporary(const Temporary&) = delete;
+  const fs::path path;
+};
 
 void remove_other_checkpoints(const fs::path& artifact, const fs::path& kept) {
   for (const auto& entry : fs::directory_iterator(artifact.parent_path())) {
@@ -41,11 +46,10 @@ void remove_other_checkpoints(const fs::path& artifact, const fs::path& kept) {
 
 // What stood there before must not be mixed with a new folder.
 void replace(const fs::path& artifact, const fs::path& output) {
-  const fs::path old = beside(artifact, kTemporary, fmt::format("{}-old", ::getpid()));
+  const Temporary old(temporary_beside(artifact, "old"));
   if (fs::is_directory(artifact) || fs::is_directory(output))
-    if (fs::exists(artifact)) fs::rename(artifact, old);
+    if (fs::exists(artifact)) fs::rename(artifact, old.path);
   fs::rename(output, artifact);
-  fs::remove_all(old);
 }
 
 [[noreturn]] void fail(const Node& node, const ChildResult& child) {
@@ -55,36 +59,63 @@ void replace(const fs::path& artifact, const fs::path& output) {
   throw InputError("{}: {} failed with exit code {}", name_of(node), node.program, child.exit_code);
 }
 
-nlohmann::json run_facts(const ChildResult& child, const RunOptions& options, std::time_t started) {
-  char host[256] = "";
-  ::gethostname(host, sizeof host - 1);
-  nlohmann::json facts = toolchain();
-  facts.update({{"started", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(started))},
-                {"seconds", child.seconds},
-                {"cpu_seconds", child.cpu_seconds},
-                {"peak_memory_bytes", child.peak_memory_bytes},
-                {"exit", child.exit_code},
-                {"host", host},
-                {"threads", options.threads},
+nlohmann::json run_facts(const RunRecord& record, const ChildResult& child, const RunOptions& options) {
+  nlohmann::json facts = record.toolchain;
+  facts.update({{"started", record.started},
+                {"waited_seconds", std::max(0.0, child.seconds - record.seconds)},
+                {"seconds", record.seconds},
+                {"cpu_seconds", record.cpu_seconds},
+                {"peak_memory_bytes", record.peak_memory_bytes},
+                {"exit", record.exit_code},
+                {"host", record.host},
+                {"threads", record.threads},
                 {"launch", options.launch},
                 {"version", options.version}});
   return facts;
 }
 
+std::map<std::string, std::string> inputs_of(const Workspace& workspace, const Node& node) {
+  std::map<std::string, std::string> inputs;
+  for (const auto& [input, output] : node.inputs) {
+    Node made_before;
+    made_before.output = output;
+    inputs[input] = artifact_hash(workspace, made_before);
+    if (inputs[input].empty())
+      throw InputError("{}: its input {} is missing or damaged", name_of(node),
+                       (workspace.out / output).string());
+  }
+  return inputs;
+}
+
+// What a stage reads may be changed while it waits for its turn or runs; then nobody knows what it has read.
+void check_unchanged(const Workspace& workspace, const Node& node, const Ingredients& made_from) {
+  HashCache hashes(workspace);
+  for (std::size_t i = 0; i < node.sources.size(); ++i)
+    if (hashes.source(node.sources[i]) != made_from.sources[i])
+      throw InputError("{}: the file {} was changed while this ran: give the same command again",
+                       name_of(node), (workspace.repository / node.sources[i]).string());
+  const std::map<std::string, std::string> inputs = inputs_of(workspace, node);
+  for (const auto& [name, output] : node.inputs)
+    if (inputs.at(name) != made_from.inputs.at(name))
+      throw InputError("{}: {} was changed while this ran: give the same command again", name_of(node),
+                       (workspace.out / output).string());
+}
+
 }  // namespace
 
 std::vector<std::string> stage_command(const Workspace& workspace, const Node& node,
-                                       const RunOptions& options, const fs::path& output,
-                                       const fs::path& checkpoint) {
+                                       const RunOptions& options, const StagePlaces& places) {
   std::vector<std::string> command;
   if (!options.launch.empty())
     command = {"/bin/sh", "-c", fmt::format("exec {} \"$@\"", options.launch), "sh"};
   for (const std::string& word :
        {(workspace.programs / node.program).string(), std::string("--root"), workspace.out.string(),
         std::string("--slice"), slice_path(workspace.out, node).string(), std::string("--output"),
-        output.string(), std::string("--checkpoint"), checkpoint.string(), std::string("--threads"),
-        std::to_string(options.threads)})
+        places.output.string(), std::string("--checkpoint"), places.checkpoint.string(),
+        std::string("--threads"), std::to_string(options.threads)})
     command.push_back(word);
+  if (!places.record.empty())
+    command.insert(command.end(), {"--record", places.record.string(), "--program", places.program});
   return command;
 }
 
@@ -124,16 +155,8 @@ Node read_slice(const fs::path& file) {
 
 int run_node(const Workspace& workspace, const Node& node, const RunOptions& options) {
   const std::string name = name_of(node);
-  std::map<std::string, std::string> inputs;
-  for (const auto& [input, output] : node.inputs) {
-    Node made_before;
-    made_before.output = output;
-    inputs[input] = artifact_hash(workspace, made_before);
-    if (inputs[input].empty())
-      throw InputError("{}: its input {} is missing or damaged", name, (workspace.out / output).string());
-  }
   HashCache hashes(workspace);
-  const Freshness found = freshness_of(workspace, node, std::move(inputs), hashes);
+  const Freshness found = freshness_of(workspace, node, inputs_of(workspace, node), hashes);
   if (found.state == State::fresh) return 0;
   const std::vector<std::string>& sources = found.ingredients.sources;
   if (std::find(sources.begin(), sources.end(), "") != sources.end())
@@ -143,52 +166,45 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
     fmt::print(stderr, "{}: {}; it is made again\n", artifact.string(), found.why);
 
   fs::create_directories(artifact.parent_path());
-  const fs::path output = beside(artifact, kTemporary, std::to_string(::getpid()));
+  const Temporary output(temporary_beside(artifact)), record_file(temporary_beside(artifact, "record"));
   const fs::path checkpoint = checkpoint_path(artifact, found.key);
   remove_other_checkpoints(artifact, checkpoint);
-  try {
-    const std::time_t started = std::time(nullptr);
-    const ChildResult child = run_child(stage_command(workspace, node, options, output, checkpoint));
-    if (child.exit_code == 2) {
-      fs::remove_all(output);
-      return 2;  // an input error: the stage has said what was wrong
-    }
-    if (child.exit_code != 0) fail(node, child);
-    if (!fs::exists(output))
-      throw InputError("{}: {} succeeded, but left nothing at {}", name, node.program, output.string());
+  const StagePlaces places{output.path, checkpoint, record_file.path, found.ingredients.program};
+  const ChildResult child = run_child(stage_command(workspace, node, options, places));
+  if (child.exit_code == 2) return 2;  // an input error: the stage has said what was wrong
+  if (child.exit_code != 0) fail(node, child);
+  if (!fs::exists(output.path))
+    throw InputError("{}: {} succeeded, but left nothing at {}", name, node.program, output.path.string());
+  const std::optional<RunRecord> record = read_record(record_file.path);
+  if (!record) throw InputError("{}: {} succeeded, but left no record of its run", name, node.program);
+  check_unchanged(workspace, node, found.ingredients);
 
-    Manifest manifest{found.ingredients, found.key, content_of(output), "",
-                      run_facts(child, options, started)};
-    const std::optional<Manifest> before = read_manifest(manifest_file);
-    if (before && before->key == manifest.key && before->content.sha256 != manifest.content.sha256)
-      fmt::print(stderr, "{}: not reproducible: the same ingredients gave other bytes than before\n", name);
-    sync_to_disk(output);
-    replace(artifact, output);
-    manifest.sign = sign_of(artifact);
-    try {
-      write_manifest(manifest_file, manifest);
-    } catch (const InputError&) {
-      fs::remove_all(artifact);  // nothing is known of an artifact without its manifest
-      throw;
-    }
-    fs::remove_all(checkpoint);
-    fmt::print(stderr, "{}: made in {}\n", name, duration_text(child.seconds));
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove_all(output, ignored);
+  Manifest manifest{found.ingredients, found.key, content_of(output.path), "",
+                    run_facts(*record, child, options)};
+  const std::optional<Manifest> before = read_manifest(manifest_file);
+  if (before && before->key == manifest.key && before->content.sha256 != manifest.content.sha256)
+    fmt::print(stderr, "{}: not reproducible: the same ingredients gave other bytes than before\n", name);
+  sync_to_disk(output.path);
+  replace(artifact, output.path);
+  manifest.sign = sign_of(artifact);
+  try {
+    write_manifest(manifest_file, manifest);
+  } catch (const InputError&) {
+    fs::remove_all(artifact);  // nothing is known of an artifact without its manifest
     throw;
   }
+  fs::remove_all(checkpoint);
+  const double waited = manifest.run.at("waited_seconds");
+  fmt::print(stderr, "{}: made in {}{}\n", name, duration_text(record->seconds),
+             waited < 1 ? "" : fmt::format(", {} after it was launched", duration_text(waited)));
   return 0;
 }
 
 void remove_temporaries(const Workspace& workspace, const Graph& graph) {
   std::set<fs::path> folders{workspace.out / ".plan"};
   for (const Node& node : graph) folders.insert((workspace.out / node.output).parent_path());
-  for (const fs::path& folder : folders) {
-    if (!fs::is_directory(folder)) continue;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().filename().string().starts_with(kTemporary)) fs::remove_all(entry.path());
-  }
+  for (const fs::path& folder : folders)
+    if (fs::is_directory(folder)) remove_abandoned(folder);
 }
 
 }  // namespace hbr

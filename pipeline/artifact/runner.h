@@ -15,10 +15,17 @@ struct RunOptions {
   std::string version;  // of the repository, for the manifest
 };
 
+// Where a stage program is to write, and which it is to be: without these two, it leaves no record and does
+// not look.
+struct StagePlaces {
+  std::filesystem::path output, checkpoint;
+  std::filesystem::path record = {};
+  std::string program = {};  // sha256
+};
+
 // The command line of a node's stage program.
 std::vector<std::string> stage_command(const Workspace& workspace, const Node& node,
-                                       const RunOptions& options, const std::filesystem::path& output,
-                                       const std::filesystem::path& checkpoint);
+                                       const RunOptions& options, const StagePlaces& places);
 
 std::filesystem::path slice_path(const std::filesystem::path& out, const Node& node);
 // The slice with what the runner needs besides, as make's recipe hands it over.
@@ -27,11 +34,12 @@ void write_slice(const std::filesystem::path& out, const Node& node);
 Node read_slice(const std::filesystem::path& file);
 
 // Makes the node's artifact unless it is fresh. The stage writes to a temporary name in the same folder,
-// which becomes the artifact when the program succeeded and left it; then the manifest is written. Returns
+// which becomes the artifact when the program succeeded and left it and the record of its run; then the
+// manifest is written. Returns
 // the exit code: 0, or 2 where the stage has told what was wrong. Throws InputError for every other failure.
 int run_node(const Workspace& workspace, const Node& node, const RunOptions& options);
 
-// Removes what killed runs left in the folders of the graph. Only under the lock.
+// Removes what killed runs left in the folders of the graph.
 void remove_temporaries(const Workspace& workspace, const Graph& graph);
 
 }  // namespace hbr

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/program.h"
 #include "pipeline/artifact/progress.h"
+#include "pipeline/artifact/record.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -22,6 +24,14 @@ void write_values(Hdf5Writer& file, const std::string& name, const nlohmann::jso
     file.attribute(name, value.get<std::int64_t>());
   else
     file.attribute(name, value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+// The runner knows which program an artifact is to be made by; by now it may have been built anew.
+void check_program(const std::string& expected) {
+  if (!expected.empty() && sha256_of_program("/proc/self/exe") != expected)
+    throw InputError(
+        "{}: this program was built anew after this run was decided on: give the same command again",
+        std::filesystem::read_symlink("/proc/self/exe").string());
 }
 
 }  // namespace
@@ -79,22 +89,33 @@ void StageRun::progress(std::int64_t done, std::int64_t total, const char* unit)
 }
 
 int stage_main(int argc, char** argv, const char* summary, const std::function<void(StageRun&)>& run) {
+  const RunMeter meter;
   CLI::App app(summary);
-  std::filesystem::path slice, root, output, checkpoint;
+  std::filesystem::path slice, root, output, checkpoint, record;
+  std::string program;
   int threads = 1;
   app.add_option("--root", root, "folder that the slice's paths are below")->required();
   app.add_option("--slice", slice, "the run's settings and inputs (JSON)")->required();
   app.add_option("--output", output, "where to write the artifact")->required();
   app.add_option("--checkpoint", checkpoint, "where to keep what a killed run goes on from")->required();
   app.add_option("--threads", threads, "threads to use")->check(CLI::Range(1, 4096));
+  app.add_option("--record", record, "where to tell the runner what the run cost (JSON)");
+  app.add_option("--program", program, "the hash that this program is to have");
   CLI11_PARSE(app, argc, argv);
   std::string name = std::filesystem::path(argv[0]).filename().string();
-  return guarded_main(name, [&] {
+  const int code = guarded_main(name, [&] {
     StageRun stage(slice, root, output, checkpoint, threads);
     name = stage.name();
+    check_program(program);
     run(stage);
     return 0;
   });
+  if (record.empty()) return code;
+  const int told = guarded_main(name, [&] {
+    write_record(record, meter.read(code, threads));
+    return 0;
+  });
+  return code != 0 ? code : told;
 }
 
 }  // namespace hbr

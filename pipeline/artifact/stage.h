@@ -4,10 +4,13 @@
 //
 // with void run(hbr::StageRun& stage). The runner calls
 //
-//   PROGRAM --root OUT --slice SLICE --output PATH --checkpoint PATH --threads N
+//   PROGRAM --root OUT --slice SLICE --output PATH --checkpoint PATH --threads N --record PATH --program
+//   SHA256
 //
 // where the slice (JSON) holds "stage", "name", "settings", "inputs" (name -> path below OUT) and "output".
-// InputError ends the program with one line on stderr and exit code 2.
+// The program refuses to run where it is not the one of that hash, and leaves the record of its run
+// (record.h); for whoever calls it by hand the last two are optional. InputError ends the program with one
+// line on stderr and exit code 2.
 #pragma once
 
 #include <cstdint>

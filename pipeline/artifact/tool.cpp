@@ -146,8 +146,8 @@ int plan(Arguments& arguments, const Graph& graph) {
   for (std::size_t i = 0; i < graph.size(); ++i) {
     if (freshness[i].state == State::fresh) continue;
     const fs::path artifact = arguments.workspace.out / graph[i].output;
-    const auto command = stage_command(arguments.workspace, graph[i], arguments.run, artifact,
-                                       artifact.string() + ".checkpoint");
+    const auto command = stage_command(arguments.workspace, graph[i], arguments.run,
+                                       {artifact, artifact.string() + ".checkpoint"});
     fmt::print("{}{}\n", fmt::join(command, " "),
                freshness[i].state == State::waiting ? "  # if its inputs become others" : "");
   }

@@ -1,0 +1,21 @@
+// What is being written, under hidden names beside what it becomes. They name their process, so that nobody
+// removes what another is writing.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+namespace hbr {
+
+// FOLDER/.tmp-1234.56789@HOST@NAME, by this process. `mark` tells several for one path apart. The name of the
+// path stands last, so that it keeps its ending.
+std::filesystem::path temporary_beside(const std::filesystem::path& path, const std::string& mark = "");
+
+constexpr std::chrono::hours kAbandonedAfter{1};
+
+// Removes what processes that have ended left in the folder. Another host's processes can't be seen from
+// here: theirs go when nothing was written to them for kAbandonedAfter.
+void remove_abandoned(const std::filesystem::path& folder);
+
+}  // namespace hbr

@@ -1,0 +1,118 @@
+// What a program measures of itself.
+#include "pipeline/artifact/record.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <vector>
+
+#include "pipeline/artifact/process.h"
+#include "pipeline/core/check.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+using testing::HasSubstr;
+
+// Until the process has used that much more processor time.
+void compute(double seconds) {
+  const auto used = [] {
+    rusage all{};
+    ::getrusage(RUSAGE_SELF, &all);
+    return static_cast<double>(all.ru_utime.tv_sec + all.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(all.ru_utime.tv_usec + all.ru_stime.tv_usec);
+  };
+  for (const double until = used() + seconds; used() < until;) continue;
+}
+
+template <class Task>
+void in_a_child(Task task) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    task();
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+}
+
+TEST(RunRecord, CountsTheProgramAndItsChildren) {
+  const RunMeter meter;
+  compute(0.1);
+  const RunRecord own = meter.read(3, 2);
+  EXPECT_GE(own.cpu_seconds, 0.1);
+  EXPECT_GE(own.seconds, 0.1);
+  EXPECT_EQ(own.exit_code, 3);
+  EXPECT_EQ(own.threads, 2);
+  EXPECT_EQ(own.host, this_host());
+  EXPECT_TRUE(own.toolchain.contains("processor"));
+  constexpr std::size_t kBytes = 50'000'000;
+  in_a_child([] {
+    compute(0.2);
+    const std::vector<char> large(kBytes, 'x');
+    compute(large[kBytes / 2] == 'x' ? 0 : 1);
+  });
+  const RunRecord both = meter.read(0, 2);
+  EXPECT_GE(both.cpu_seconds, own.cpu_seconds + 0.2);
+  EXPECT_LT(own.peak_memory_bytes, static_cast<std::int64_t>(kBytes));
+  EXPECT_GE(both.peak_memory_bytes, static_cast<std::int64_t>(kBytes));
+}
+
+TEST(RunRecord, IsReadAsItWasWrittenAndNothingElseIs) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "record";
+  EXPECT_FALSE(read_record(file));
+  const RunRecord record = RunMeter().read(0, 4);
+  write_record(file, record);
+  EXPECT_EQ(settings_to_json(*read_record(file)), settings_to_json(record));
+  nlohmann::json all = settings_to_json(record);
+  const auto message = [&](const std::string& text) -> std::string {
+    std::ofstream(file) << text;
+    try {
+      read_record(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(message(""), HasSubstr("not the record of a run"));
+  EXPECT_THAT(message(all.dump().substr(0, 40)), HasSubstr("not the record of a run"));
+  all["cpu_seconds"] = "many";
+  EXPECT_THAT(message(all.dump()), HasSubstr("cpu_seconds"));
+  all.erase("cpu_seconds");
+  EXPECT_THAT(message(all.dump()), HasSubstr("cpu_seconds"));
+}
+
+TEST(Process, IsKnownByHostNumberAndStart) {
+  const Process self = this_process();
+  EXPECT_TRUE(is_alive(self));
+  EXPECT_EQ(process_of(text_of(self)), self);
+  Process later = self;  // of the same number
+  ++later.started;
+  EXPECT_FALSE(is_alive(later));
+  EXPECT_FALSE(is_alive({self.host, self.id, 0}));
+  for (const char* odd : {"", "12", "12.13", "12@host", "a.13@host", "12.b@host", "12@1.host", "-.1@h"})
+    EXPECT_FALSE(process_of(odd)) << odd;
+  Process child;
+  int told[2];
+  ASSERT_EQ(::pipe(told), 0);
+  const pid_t zombie = ::fork();
+  if (zombie == 0) {
+    const unsigned long long started = this_process().started;
+    if (::write(told[1], &started, sizeof started) < 0) ::_exit(1);
+    ::_exit(0);
+  }
+  child.id = zombie;
+  ASSERT_EQ(::read(told[0], &child.started, sizeof child.started),
+            static_cast<ssize_t>(sizeof child.started));
+  siginfo_t ended{};
+  ::waitid(P_PID, static_cast<id_t>(zombie), &ended, WEXITED | WNOWAIT);
+  EXPECT_FALSE(is_alive(child));  // though it still has its number
+  ::waitpid(zombie, nullptr, 0);
+}
+
+}  // namespace
+}  // namespace hbr
