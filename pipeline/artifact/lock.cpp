@@ -11,6 +11,7 @@
 #include <cstring>
 #include <thread>
 
+#include "pipeline/artifact/claim.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -33,6 +34,7 @@ void lock_folder(const std::filesystem::path& out) {
     throw InputError("{}: can't write to this output folder: {}", out.string(), std::strerror(errno));
   const auto until = std::chrono::steady_clock::now() + kPatience;
   while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+    if (errno == ENOLCK || errno == EOPNOTSUPP) break;  // none here: the claim has to do
     if (errno != EWOULDBLOCK && errno != EINTR)
       throw InputError("{}: can't lock this output folder: {}", out.string(), std::strerror(errno));
     if (std::chrono::steady_clock::now() > until) {
@@ -48,6 +50,12 @@ void lock_folder(const std::filesystem::path& out) {
   if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, self.data(), self.size(), 0) < 0)
     throw InputError("{}: can't write to this output folder: {}", out.string(), std::strerror(errno));
   ::setenv(kVariable, std::to_string(lock).c_str(), 1);
+
+  const Process holder = this_process();
+  claim_folder(out, holder);
+  const pid_t keeper = ::fork();
+  if (keeper == 0) keep_claim(out, holder);
+  if (keeper < 0) throw InputError("{}: can't start a process: {}", out.string(), std::strerror(errno));
 }
 
 void leave_lock_to_parent() {

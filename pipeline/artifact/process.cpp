@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cstdio>
@@ -26,6 +27,10 @@ unsigned long long start_of(int id) {
   return found == 2 && state != 'Z' && state != 'X' ? started : 0;
 }
 
+bool is_plain(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) || letter == '-' || letter == '.' || letter == '_';
+}
+
 template <class Number>
 bool read_number(std::string_view text, Number& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -38,8 +43,7 @@ std::string this_host() {
   char name[256] = "";
   ::gethostname(name, sizeof name - 1);
   for (char& letter : name)
-    if (letter && !std::isalnum(static_cast<unsigned char>(letter)) && letter != '-' && letter != '.')
-      letter = '_';
+    if (letter && !is_plain(letter)) letter = '_';
   return name;
 }
 
@@ -61,6 +65,7 @@ std::optional<Process> process_of(std::string_view text) {
       !read_number(text.substr(dot + 1, at - dot - 1), process.started))
     return {};
   process.host = text.substr(at + 1);
+  if (process.host.empty() || !std::ranges::all_of(process.host, is_plain)) return {};
   return process;
 }
 

@@ -25,7 +25,7 @@ fs::file_time_type last_written(const fs::path& path) {
 // lock.
 bool is_abandoned(const fs::path& path) {
   const std::string name = path.filename().string().substr(kPrefix.size());
-  const std::optional<Process> process = process_of(name.substr(0, name.rfind('@')));
+  const std::optional<Process> process = process_of(name.substr(0, name.find('@', name.find('@') + 1)));
   if (!process) return true;
   if (process->host == this_host()) return !is_alive(*process);
   return fs::file_time_type::clock::now() - last_written(path) > kAbandonedAfter;

@@ -94,7 +94,8 @@ TEST(Process, IsKnownByHostNumberAndStart) {
   ++later.started;
   EXPECT_FALSE(is_alive(later));
   EXPECT_FALSE(is_alive({self.host, self.id, 0}));
-  for (const char* odd : {"", "12", "12.13", "12@host", "a.13@host", "12.b@host", "12@1.host", "-.1@h"})
+  for (const char* odd : {"", "12", "12.13", "12@host", "a.13@host", "12.b@host", "12@1.host", "-.1@h",
+                          "1.2@", "1.2@a b", "1.2@a\n"})
     EXPECT_FALSE(process_of(odd)) << odd;
   Process child;
   int told[2];
