@@ -21,9 +21,16 @@ BENCH ?=
 URDF ?=
 MESHES ?=
 POSE ?=
+SANITIZER ?= address
+TESTS ?=
+SECONDS ?= 60
+READER ?=
+FILES ?= pipeline models
+COUNT ?= 60
+SEED ?= 1
 export MNIST_DIR
 
-targets := help deps build data all test bench sanitize coverage format check-format status audit graph reference \
+targets := help deps build data all test bench sanitize fuzz mutate coverage format check-format status audit graph reference \
   verify robot clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
@@ -41,7 +48,10 @@ help:
 	@echo 'make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
 	@echo 'make test            build and run all tests'
 	@echo 'make bench           build and run the benchmarks and keep their table; BENCH=regex: only those, only shown'
-	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers'
+	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers; SANITIZER=thread: races;'
+	@echo '                     TESTS="pipeline/qd models/arm": only the tests of these folders'
+	@echo 'make fuzz            each reader of foreign files for SECONDS=60 with libFuzzer; READER=urdf: only that'
+	@echo 'make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
 	@echo 'make coverage        all tests, and BUILD/coverage/html: which lines they reach'
 	@echo 'make format          clang-format on all sources; check-format only tells'
 	@echo 'make status          what is fresh, stale or missing, and why'
@@ -78,7 +88,8 @@ $(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
 # settings(preset): what a build folder is made for; it keeps them. Others (the checkout moved, HBR_ARCH changed)
 # need CMake afresh, or the sources of elsewhere would be compiled.
 compiler := $(if $(filter-out default undefined,$(origin CXX)),-DCMAKE_CXX_COMPILER='$(CXX)')
-settings = -DHBR_BUILD=$(1) -DHBR_ARCH='$(HBR_ARCH)' -DHBR_WERROR=$(if $(WERROR),ON,OFF) $(compiler)
+settings = -DHBR_BUILD=$(1) -DHBR_ARCH='$(HBR_ARCH)' -DHBR_WERROR=$(if $(WERROR),ON,OFF) \
+  $(if $(filter fuzz,$(1)),-DCMAKE_CXX_COMPILER=clang++,$(compiler))
 kept = $(settings) $(CURDIR) $(abspath $(BUILD))
 quoted = '$(subst ','\'',$(1))'
 
@@ -92,7 +103,7 @@ $(BUILD)/$(1)/build.ninja: | $(packages)
 	  { cat $(BUILD)/$(1).log >&2; exit 1; }
 	@printf '%s\n' $$(call quoted,$$(call kept,$(1))) >$(BUILD)/$(1)/settings.txt
 endef
-$(foreach preset,release sanitize coverage,$(eval $(call configure,$(preset))))
+$(foreach preset,release sanitize sanitize-thread fuzz coverage,$(eval $(call configure,$(preset))))
 
 # compile(preset, target): Ninja tells its steps, and nothing where there are none.
 idle := ^ninja: (no work|Entering)|Re-checking globbed
@@ -143,19 +154,37 @@ robot: $(packages) $(BUILD)/release/build.ninja
 
 # Tests and checks -----------------------------------------------------------------------------------------------
 
-# run_tests(preset): all tests; CTest's summary stands last.
-run_tests = @$(call compile,$(1),all) && ctest --test-dir $(BUILD)/$(1) --output-on-failure --parallel $$(nproc)
+# run_tests(preset, target, options of CTest): all tests; CTest's summary stands last.
+run_tests = @$(call compile,$(1),$(2)) && ctest --test-dir $(BUILD)/$(1) --output-on-failure --parallel $$(nproc) $(3)
 
 test: $(packages) $(BUILD)/release/build.ninja
-	$(call run_tests,release)
+	$(call run_tests,release,all)
 
-sanitize: $(packages) $(BUILD)/sanitize/build.ninja
-	$(call run_tests,sanitize)
+sanitized := $(or $(if $(filter address,$(SANITIZER)),sanitize),$(if $(filter thread,$(SANITIZER)),sanitize-thread))
+empty :=
+sanitize: $(packages) $(if $(sanitized),$(BUILD)/$(sanitized)/build.ninja)
+	@[ -n '$(sanitized)' ] || { echo "SANITIZER is '$(SANITIZER)'; expected address or thread" >&2; exit 2; }
+	$(call run_tests,$(sanitized),$(if $(TESTS),$(addprefix test_,$(subst /,_,$(TESTS))),tests), \
+	  $(if $(TESTS),-R '^($(subst $(empty) $(empty),|,$(strip $(TESTS))))/'))
+
+# What is found stays in BUILD/fuzz/found, with the command that reads it again.
+fuzz: $(BUILD)/fuzz/build.ninja
+	@$(call compile,fuzz,$(if $(READER),$(addprefix fuzz_,$(READER)),fuzz))
+	@tests/fuzz/run $(BUILD)/fuzz '$(SECONDS)' $(READER)
+
+.PHONY: fuzz-packages
+fuzz-packages:
+	@.ci/packages '$(DEPS)' fuzz
+$(BUILD)/fuzz/build.ninja: | fuzz-packages
+
+mutate: $(packages)
+	@.ci/packages '$(DEPS)' mutate
+	@python3 tests/mutation/mutate.py --place $(BUILD)/mutate --seed '$(SEED)' --count '$(COUNT)' $(FILES)
 
 coverage: $(packages) $(BUILD)/coverage/build.ninja
 	@.ci/packages '$(DEPS)' coverage
 	@find $(BUILD)/coverage -name '*.gcda' -delete
-	$(call run_tests,coverage)
+	$(call run_tests,coverage,tests)
 	@lcov --quiet --capture --directory $(BUILD)/coverage --output-file $(BUILD)/coverage/all.info
 	@lcov --quiet --extract $(BUILD)/coverage/all.info '$(CURDIR)/pipeline/*' '$(CURDIR)/models/*' '$(CURDIR)/reports/*' \
 	  '$(CURDIR)/stages/*' --output-file $(BUILD)/coverage/own.info

@@ -1,0 +1,66 @@
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+
+#include "pipeline/core/check.h"
+#include "tests/fuzz/fuzz.h"
+
+namespace hbr::fuzz {
+
+const std::filesystem::path& folder() {
+  struct Folder {
+    Folder() : path(std::filesystem::temp_directory_path() / fmt::format("hbr-fuzz-{}", ::getpid())) {
+      std::filesystem::create_directories(path);
+    }
+    ~Folder() {
+      if (::getpid() == owner) std::filesystem::remove_all(path);  // and no child of it
+    }
+    pid_t owner = ::getpid();
+    std::filesystem::path path;
+  };
+  static const Folder folder;
+  return folder.path;
+}
+
+std::filesystem::path written(const std::string& name, const std::string& bytes) {
+  std::ofstream(folder() / name, std::ios::binary) << bytes;
+  return folder() / name;
+}
+
+std::string content_of_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  HBR_CHECK(file.good(), "{}", path.string());
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace hbr::fuzz
+
+// Puts the examples into the corpus, which is the first argument that is no option.
+extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  for (int i = 1; i < *argc; ++i) {
+    const std::filesystem::path corpus = (*argv)[i];
+    if (!std::filesystem::is_directory(corpus)) continue;
+    int number = 0;
+    for (const std::string& bytes : hbr::fuzz::examples())
+      std::ofstream(corpus / fmt::format("example-{}", number++), std::ios::binary) << bytes;
+    break;
+  }
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    hbr::fuzz::read({reinterpret_cast<const char*>(data), size});
+  } catch (const hbr::InputError& error) {
+    const std::string line = error.what();
+    if (!line.empty() && line.find('\n') == std::string::npos) return 0;
+    std::fprintf(stderr, "a complaint is not one line: '%s'\n", line.c_str());
+    std::abort();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "no InputError: %s\n", error.what());
+    std::abort();
+  }
+  return 0;
+}

@@ -1,0 +1,37 @@
+// A robot: its URDF, up to the body that it makes.
+#include "models/simbody/body.h"
+#include "models/simbody/robot_facts.h"
+#include "tests/fuzz/fuzz.h"
+
+namespace hbr::fuzz {
+
+std::vector<std::string> examples() {
+  const std::string arm = R"(<?xml version="1.0"?>
+<robot name="arm">
+<material name="red"><color rgba="1 0 0 1"/></material>
+<link name="base"/>
+<link name="upper"><inertial><origin xyz="0 0 .1" rpy="0 0 .2"/><mass value="1"/>
+<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+<visual><geometry><box size="1 2 3"/></geometry><material name="red"/></visual>
+<visual><origin rpy="1 2 3"/><geometry><mesh filename="package://a/b.stl" scale="1 1 1"/></geometry></visual></link>
+<link name="tip"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>
+<visual><geometry><cylinder radius=".1" length="1"/></geometry></visual>
+<visual><geometry><sphere radius=".1"/></geometry></visual></link>
+<joint name="pan" type="revolute"><parent link="base"/><child link="upper"/><origin xyz="0 0 1"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1" effort="5" velocity="2"/></joint>
+<joint name="lift" type="prismatic"><parent link="upper"/><child link="tip"/><axis xyz="0 1 0"/>
+<limit lower="-1" upper="1" effort="5" velocity="2"/><mimic joint="pan" multiplier="2" offset=".1"/></joint>
+</robot>
+)";
+  return {arm, content_of_file(HBR_SOURCE_DIR "/models/industrial/six_joint_arm.urdf")};
+}
+
+void read(const std::string& bytes) {
+  const RobotModel model = load_urdf(written("robot.urdf", bytes));
+  joint_table(model);
+  oddities(model, 1);
+  const Body body(model, model.independent_joints());
+  body.link_poses(body.posture({}));
+}
+
+}  // namespace hbr::fuzz
