@@ -77,7 +77,7 @@ help:
 
 # Set-up and build -----------------------------------------------------------------------------------------------
 
-$(if $(word 2,$(BUILD)),$(error BUILD is '$(BUILD)': the build folder's path must have no space))
+$(if $(word 2,$(BUILD)),$(error BUILD is $(BUILD): the build folder may have no space in its path))
 packages := $(BUILD)/.packages
 deps: $(packages)
 # Looked at again when the list or what is installed changes.

@@ -1,6 +1,6 @@
 #include "models/simbody/urdf_numbers.h"
 
-#include <tinyxml.h>
+#include <tinyxml2.h>
 
 #include <charconv>
 #include <cmath>
@@ -45,13 +45,13 @@ int count_numbers(std::string_view text, double most) {
   }
 }
 
-void check_below(const std::string& path, const TiXmlElement& parent, const std::string& what) {
-  for (const TiXmlElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) {
+void check_below(const std::string& path, const tinyxml2::XMLElement& parent, const std::string& what) {
+  for (const tinyxml2::XMLElement* e = parent.FirstChildElement(); e; e = e->NextSiblingElement()) {
     for (const Numbers& n : kNumbers) {
-      if (e->ValueStr() != n.element) continue;
+      if (e->Name() != n.element) continue;
       const char* text = e->Attribute(n.attribute.data());
       if (text && count_numbers(text, n.most) != n.count)
-        throw InputError("{}:{}: {} of <{}> in {} is '{}'; expected {} within {:g}", path, e->Row(),
+        throw InputError("{}:{}: {} of <{}> in {} is '{}'; expected {} within {:g}", path, e->GetLineNum(),
                          n.attribute, n.element, what, text,
                          n.count == 1 ? "a number" : fmt::format("{} numbers", n.count), n.most);
     }
@@ -61,9 +61,9 @@ void check_below(const std::string& path, const TiXmlElement& parent, const std:
 
 }  // namespace
 
-void check_numbers(const std::string& path, const TiXmlElement& robot) {
+void check_numbers(const std::string& path, const tinyxml2::XMLElement& robot) {
   for (const char* kind : {"link", "joint"})
-    for (const TiXmlElement* e = robot.FirstChildElement(kind); e; e = e->NextSiblingElement(kind)) {
+    for (const tinyxml2::XMLElement* e = robot.FirstChildElement(kind); e; e = e->NextSiblingElement(kind)) {
       const char* name = e->Attribute("name");
       check_below(path, *e, fmt::format("{} '{}'", kind, name ? name : ""));
     }

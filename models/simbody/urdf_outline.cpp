@@ -1,7 +1,7 @@
 #include "models/simbody/urdf_outline.h"
 
 #include <fmt/ranges.h>
-#include <tinyxml.h>
+#include <tinyxml2.h>
 
 #include <algorithm>
 #include <cctype>
@@ -14,24 +14,34 @@
 namespace hbr {
 namespace {
 
+using tinyxml2::XMLElement;
+
+// "XML_ERROR_MISMATCHED_ELEMENT": "mismatched element".
+std::string words(std::string name) {
+  for (const std::string_view prefix : {"XML_", "ERROR_"})
+    if (name.starts_with(prefix)) name.erase(0, prefix.size());
+  for (char& c : name) c = c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name;
+}
+
 class Reader {
  public:
   Reader(const std::filesystem::path& path, const std::string& text) : path_(path.string()) {
-    // TinyXML recurses: a file of nothing but opening tags must not use up the stack.
+    // urdfdom's reader recurses: a file of nothing but opening tags must not use up the stack.
     int depth = 0;
     for (std::size_t i = 0; i + 1 < text.size(); ++i) {
       if (text[i] == '<' && text[i + 1] != '!' && text[i + 1] != '?') depth += text[i + 1] == '/' ? -1 : 1;
       if (text[i] == '/' && text[i + 1] == '>') --depth;
-      if (depth > 5000) throw InputError("{}: elements are nested without end; expected a URDF", path_);
+      if (depth > 400) throw InputError("{}: elements are nested without end; expected a URDF", path_);
     }
     document_.Parse(text.c_str());
     if (document_.Error())
-      throw InputError("{}:{}: not XML ({}); expected a URDF", path_, std::max(1, document_.ErrorRow()),
-                       document_.ErrorDesc());
+      throw InputError("{}:{}: not XML ({}); expected a URDF", path_, std::max(1, document_.ErrorLineNum()),
+                       words(document_.ErrorName()));
     robot_ = document_.FirstChildElement("robot");
     if (!robot_) {
-      const TiXmlElement* top = document_.RootElement();
-      throw InputError("{}: no <robot>; expected a URDF, found <{}>", path_, top ? top->Value() : "nothing");
+      const XMLElement* top = document_.RootElement();
+      throw InputError("{}: no <robot>; expected a URDF, found <{}>", path_, top ? top->Name() : "nothing");
     }
   }
 
@@ -44,44 +54,45 @@ class Reader {
   }
 
  private:
-  void refuse_xacro(const TiXmlElement& above) const {
+  void refuse_xacro(const XMLElement& above) const {
     for (auto* e = above.FirstChildElement(); e; e = e->NextSiblingElement()) {
-      if (e->ValueStr().starts_with("xacro:"))
+      if (std::string_view(e->Name()).starts_with("xacro:"))
         throw InputError("{}:{}: <{}>: this is a xacro, not yet a URDF; expected what xacro makes of it",
-                         path_, e->Row(), e->ValueStr());
+                         path_, e->GetLineNum(), e->Name());
       refuse_xacro(*e);
     }
   }
   // The attribute of an element, or of its child of that name.
-  std::string attribute(const TiXmlElement& element, const char* key, const std::string& what) const {
+  std::string attribute(const XMLElement& element, const char* key, const std::string& what) const {
     const char* value = element.Attribute(key);
-    if (!value || !*value) throw InputError("{}:{}: {} has no '{}'", path_, element.Row(), what, key);
+    if (!value || !*value) throw InputError("{}:{}: {} has no '{}'", path_, element.GetLineNum(), what, key);
     for (const char* c = value; *c; ++c)
       if (std::iscntrl(static_cast<unsigned char>(*c)))
-        throw InputError("{}:{}: {} has a control character in its {} '{}'", path_, element.Row(), what, key,
-                         value);
+        throw InputError("{}:{}: {} has a control character in its {} '{}'", path_, element.GetLineNum(),
+                         what, key, value);
     return value;
   }
-  std::string end(const TiXmlElement& joint, const char* side, const std::string& what) const {
-    const TiXmlElement* element = joint.FirstChildElement(side);
-    if (!element) throw InputError("{}:{}: {} has no <{} link=\"...\">", path_, joint.Row(), what, side);
+  std::string end(const XMLElement& joint, const char* side, const std::string& what) const {
+    const XMLElement* element = joint.FirstChildElement(side);
+    if (!element)
+      throw InputError("{}:{}: {} has no <{} link=\"...\">", path_, joint.GetLineNum(), what, side);
     const std::string name = attribute(*element, "link", fmt::format("<{}> of {}", side, what));
     if (!links_.count(name))
       throw InputError("{}:{}: the {} of {} is link '{}', which is not in the file: the chain is broken",
-                       path_, element->Row(), side, what, name);
+                       path_, element->GetLineNum(), side, what, name);
     return name;
   }
 
   void read_links() {
     for (auto* e = robot_->FirstChildElement("link"); e; e = e->NextSiblingElement("link")) {
       const std::string name = attribute(*e, "name", "a <link>");
-      const auto [earlier, is_new] = links_.emplace(name, e->Row());
+      const auto [earlier, is_new] = links_.emplace(name, e->GetLineNum());
       if (!is_new)
-        throw InputError("{}:{}: a second link '{}'; the first is in line {}", path_, e->Row(), name,
+        throw InputError("{}:{}: a second link '{}'; the first is in line {}", path_, e->GetLineNum(), name,
                          earlier->second);
       link_order_.push_back(name);
     }
-    if (links_.empty()) throw InputError("{}:{}: the robot has no <link>", path_, robot_->Row());
+    if (links_.empty()) throw InputError("{}:{}: the robot has no <link>", path_, robot_->GetLineNum());
   }
 
   void read_joints() {
@@ -89,19 +100,19 @@ class Reader {
     std::map<std::string, int> lines;
     for (auto* e = robot_->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
       const std::string name = attribute(*e, "name", "a <joint>"), what = fmt::format("joint '{}'", name);
-      const auto [earlier, is_new] = lines.emplace(name, e->Row());
+      const auto [earlier, is_new] = lines.emplace(name, e->GetLineNum());
       if (!is_new)
-        throw InputError("{}:{}: a second {}; the first is in line {}", path_, e->Row(), what,
+        throw InputError("{}:{}: a second {}; the first is in line {}", path_, e->GetLineNum(), what,
                          earlier->second);
       const std::string type = attribute(*e, "type", what);
       if (!known.count(type))
-        throw InputError("{}:{}: {} has type '{}'; expected one of {}", path_, e->Row(), what, type,
+        throw InputError("{}:{}: {} has type '{}'; expected one of {}", path_, e->GetLineNum(), what, type,
                          fmt::join(known, ", "));
-      const UrdfOutline::Joint joint{name, end(*e, "parent", what), end(*e, "child", what), e->Row()};
+      const UrdfOutline::Joint joint{name, end(*e, "parent", what), end(*e, "child", what), e->GetLineNum()};
       const auto [other, only_parent] = parent_joint_.emplace(joint.child, name);
       if (!only_parent)
         throw InputError("{}:{}: link '{}' is the child of two joints, '{}' and '{}'; links must be a tree",
-                         path_, e->Row(), joint.child, other->second, name);
+                         path_, e->GetLineNum(), joint.child, other->second, name);
       children_[joint.parent].push_back(joint);
     }
   }
@@ -134,8 +145,8 @@ class Reader {
   }
 
   std::string path_;
-  TiXmlDocument document_;
-  TiXmlElement* robot_;
+  tinyxml2::XMLDocument document_;
+  XMLElement* robot_;
   std::map<std::string, int> links_;  // name -> line
   std::vector<std::string> link_order_;
   std::map<std::string, std::string> parent_joint_;  // link -> the joint it hangs on

@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <set>
@@ -19,6 +18,7 @@
 #include "pipeline/artifact/selection.h"
 #include "pipeline/artifact/settings.h"
 #include "pipeline/artifact/status.h"
+#include "pipeline/artifact/version.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -52,19 +52,6 @@ int threads_of_stage(int asked) {
   const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int jobs = jobs_of_make();
   return jobs == 0 ? 1 : std::max(1, processors / jobs);
-}
-
-std::string version_of(const fs::path& repository) {
-  const std::string command =
-      fmt::format("git -C '{}' describe --always --dirty --tags 2>/dev/null", repository.string());
-  std::string version;
-  if (FILE* pipe = ::popen(command.c_str(), "r")) {
-    char text[256] = "";
-    if (std::fgets(text, sizeof text, pipe)) version = text;
-    ::pclose(pipe);
-  }
-  while (!version.empty() && version.back() == '\n') version.pop_back();
-  return version.empty() ? "unknown" : version;
 }
 
 fs::path absolute_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }

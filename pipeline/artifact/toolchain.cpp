@@ -23,6 +23,14 @@ constexpr const char* kArchitecture = "aarch64";
 constexpr const char* kArchitecture = "other";
 #endif
 
+std::string compiler() {
+#ifdef __clang__
+  return fmt::format("Clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#else
+  return "GCC " __VERSION__;
+#endif
+}
+
 const char* processor() {
 #ifdef __x86_64__
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
@@ -43,7 +51,7 @@ nlohmann::json toolchain() {
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
   return {
-      {"compiler", "GCC " __VERSION__},
+      {"compiler", compiler()},
       {"flags", HBR_FLAGS},
       {"architecture", kArchitecture},
       {"processor", processor()},

@@ -6,7 +6,7 @@
 namespace hbr {
 
 // Of this build and this machine, all texts:
-//   compiler      "GCC 12.2.0"
+//   compiler      "GCC 12.2.0", "Clang 14.0.6"
 //   flags         those that matter to the code, as given
 //   architecture  the instruction set that it was compiled for: "x86-64-v3", "aarch64"
 //   processor     the level of the processor it runs on: libraries choose their code by it

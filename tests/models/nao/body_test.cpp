@@ -2,7 +2,7 @@
 #include "models/simbody/body.h"
 
 #include <gtest/gtest.h>
-#include <tinyxml.h>
+#include <tinyxml2.h>
 
 #include <cmath>
 #include <sstream>
@@ -88,8 +88,8 @@ TEST(Nao, HasTwentyFiveIndependentJoints) {
 // The table summed from the file by another reader, with frames chained by hand (at zero, no frame is
 // turned).
 TEST(Nao, MassAndCentreAreTheTables) {
-  TiXmlDocument document;
-  ASSERT_TRUE(document.LoadFile(kUrdf));
+  tinyxml2::XMLDocument document;
+  ASSERT_EQ(document.LoadFile(kUrdf.c_str()), tinyxml2::XML_SUCCESS);
   std::map<std::string, Eigen::Vector3d> at = {{"torso", {0, 0, 0}}};
   const auto triple = [](const char* text) {
     Eigen::Vector3d v;
@@ -98,15 +98,15 @@ TEST(Nao, MassAndCentreAreTheTables) {
   };
   double mass = 0;
   Eigen::Vector3d moment(0, 0, 0);
-  TiXmlElement* robot = document.RootElement();
-  const auto child = [](TiXmlElement* e, const char* a) { return e->FirstChildElement(a); };
+  tinyxml2::XMLElement* robot = document.RootElement();
+  const auto child = [](tinyxml2::XMLElement* e, const char* a) { return e->FirstChildElement(a); };
   for (auto* e = child(robot, "joint"); e; e = e->NextSiblingElement("joint")) {
     ASSERT_TRUE(at.count(child(e, "parent")->Attribute("link")));
     at[child(e, "child")->Attribute("link")] =
         at[child(e, "parent")->Attribute("link")] + triple(child(e, "origin")->Attribute("xyz"));
   }
   for (auto* e = child(robot, "link"); e; e = e->NextSiblingElement("link")) {
-    TiXmlElement* inertial = child(e, "inertial");
+    tinyxml2::XMLElement* inertial = child(e, "inertial");
     if (!inertial) continue;
     const double m = std::stod(child(inertial, "mass")->Attribute("value"));
     mass += m;

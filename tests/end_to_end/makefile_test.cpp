@@ -1,0 +1,106 @@
+// The Makefile's own part of a build: what it configures, where, and when again. A stand-in for the project
+// tells what CMake was given, and which sources it builds.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "tests/end_to_end/fake_folder.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class Makefile : public testing::Test {
+ protected:
+  const TemporaryFolder folder_;
+  const fs::path checkout_ = folder_.path() / "checkout";
+
+  void SetUp() override {
+    fs::create_directories(checkout_);
+    fs::copy(HBR_SOURCE_DIR "/Makefile", checkout_);
+    fs::copy(HBR_SOURCE_DIR "/.ci", checkout_ / ".ci");
+    write(checkout_, "these sources");
+    std::ofstream(checkout_ / "CMakeLists.txt")
+        << "cmake_minimum_required(VERSION 3.25)\n"
+           "project(stand_in LANGUAGES NONE)\n"
+           "message(STATUS configured)\n"
+           "add_custom_target(programs COMMAND ${CMAKE_COMMAND} -E echo arch ${HBR_ARCH}, werror "
+           "${HBR_WERROR},\n"
+           "  compiler ${CMAKE_CXX_COMPILER} COMMAND ${CMAKE_COMMAND} -E cat "
+           "${CMAKE_SOURCE_DIR}/sources.txt)\n";
+  }
+  static void write(const fs::path& checkout, const std::string& text) {
+    std::ofstream(checkout / "sources.txt") << text << '\n';
+  }
+  static Outcome make(const fs::path& checkout, const std::string& words) {
+    return shell("env -u BUILD -u HBR_ARCH -u WERROR -u CXX make -C " + checkout.string() + " DEPS=none " +
+                 words);
+  }
+  Outcome make(const std::string& words) { return make(checkout_, words); }
+  // Once more with the same words: nothing is configured.
+  void expect_kept(const std::string& words) {
+    EXPECT_THAT(make("-n " + words).text, Not(HasSubstr("--fresh"))) << words;
+  }
+};
+
+TEST_F(Makefile, WarningsStopNoUser) {
+  const Outcome outcome = make("build");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("arch native, werror OFF,"));
+  expect_kept("build");
+}
+
+TEST_F(Makefile, ChangedSettingsReachCMake) {
+  for (const auto& [words, told] :
+       {std::pair{"build", "arch native, werror OFF"}, std::pair{"build WERROR=1", "arch native, werror ON"},
+        std::pair{"build HBR_ARCH=x86-64-v3", "arch x86-64-v3, werror OFF"},
+        std::pair{"build CXX=some++", "werror OFF, compiler some++"}}) {
+    EXPECT_THAT(make(words).text, HasSubstr(told));
+    expect_kept(words);
+  }
+}
+
+TEST_F(Makefile, AMovedOrCopiedCheckoutBuildsItsOwnSources) {
+  make("build");
+  const fs::path copy = folder_.path() / "copy", moved = folder_.path() / "moved";
+  fs::copy(checkout_, copy, fs::copy_options::recursive);
+  write(copy, "the copy's sources");
+  EXPECT_THAT(make(copy, "build").text, HasSubstr("the copy's sources"));
+  fs::rename(copy, moved);
+  write(moved, "the moved sources");
+  const Outcome outcome = make(moved, "build");
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("the moved sources"));
+}
+
+TEST_F(Makefile, ABuildElsewhereLeavesTheSourcesAlone) {
+  const auto files = [&] {
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(checkout_)) names.insert(entry.path());
+    return names;
+  };
+  const auto before = files();
+  const std::string build = "build BUILD=" + (folder_.path() / "elsewhere").string();
+  EXPECT_THAT(make(build).text, HasSubstr("these sources"));
+  EXPECT_EQ(files(), before);
+  expect_kept(build);
+  // Two checkouts that share it get their own sources each.
+  const fs::path copy = folder_.path() / "copy";
+  fs::copy(checkout_, copy, fs::copy_options::recursive);
+  write(copy, "the copy's sources");
+  EXPECT_THAT(make(copy, build).text, HasSubstr("the copy's sources"));
+  EXPECT_THAT(make(build).text, HasSubstr("these sources"));
+}
+
+TEST_F(Makefile, ABuildFolderWithASpaceIsRefused) {
+  const Outcome outcome = make("build \"BUILD=a b\"");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("BUILD is a b: the build folder may have no space in its path"));
+}
+
+}  // namespace
+}  // namespace hbr
