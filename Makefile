@@ -31,7 +31,7 @@ SEED ?= 1
 export MNIST_DIR
 
 targets := help deps build data all test bench sanitize fuzz mutate coverage format check-format status audit graph reference \
-  verify robot clean distclean
+  verify robot install check-targets check-releases check-bytes clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -53,6 +53,9 @@ help:
 	@echo 'make fuzz            each reader of foreign files for SECONDS=60 with libFuzzer; READER=urdf: only that'
 	@echo 'make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
 	@echo 'make coverage        all tests, and BUILD/coverage/html: which lines they reach'
+	@echo 'make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors'
+	@echo 'make check-bytes     layers 1 to 3 by both compilers, for SAME: the same bytes?'
+	@echo 'make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap)'
 	@echo 'make format          clang-format on all sources; check-format only tells'
 	@echo 'make status          what is fresh, stale or missing, and why'
 	@echo 'make audit           read every artifact again and compare it with its manifest'
@@ -62,6 +65,7 @@ help:
 	@echo 'make robot URDF=FILE what a robot is: joints, mass, reach, a picture and a .glb in OUT (here out/robot);'
 	@echo '                     MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
 	@echo 'make deps, build, data   install what is missing; build the programs; fetch MNIST'
+	@echo 'make install         the search and the layers for other programs (find_package(hbr)), below PREFIX'
 	@echo 'make clean           remove BUILD; distclean: out/ and .cache/ (downloads), too'
 	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
@@ -147,6 +151,12 @@ reference: build
 verify: build
 	@$(programs)/reference verify '$(OUT)' reports/reference
 
+# The search and the layers for other programs: find_package(hbr), see pipeline/hbrConfig.cmake.in.
+PREFIX ?= /usr/local
+install: $(packages) $(BUILD)/release/build.ninja
+	@$(call compile,release,hbr_arm)
+	@cmake --install $(BUILD)/release --prefix '$(PREFIX)'
+
 # Any robot, before it has a place in a profile.
 robot: $(packages) $(BUILD)/release/build.ninja
 	@$(call compile,release,robot)
@@ -203,6 +213,25 @@ bench: $(packages) $(BUILD)/release/build.ninja
 	done
 	@ls $(BUILD)/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$(BENCH)'" >&2; exit 2; }
 	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' $(BUILD)/bench/*.json
+
+# Compiles everything for other processors, by both compilers, warnings being errors; links and runs nothing.
+COMPILERS ?= g++ clang++
+TARGETS ?= x86-64 x86-64-v2 x86-64-v3 x86-64-v4 haswell sapphirerapids znver2 znver3 native
+check-targets: $(packages)
+	@.ci/packages '$(DEPS)' check-targets
+	@.ci/targets '$(BUILD)/targets' '$(COMPILERS)' '$(TARGETS)'
+
+# The README's commands and all tests on a bare machine of each Debian release, as root.
+RELEASES ?= bookworm trixie
+check-releases:
+	@.ci/packages '$(DEPS)' check-releases
+	@for release in $(RELEASES); do tests/releases/try.sh "$$release" '$(BUILD)/releases'; done
+
+# The layers of the reduced profile, built by each compiler for each of these: all the same bytes?
+SAME ?= x86-64 x86-64-v3 native
+check-bytes: build
+	@.ci/packages '$(DEPS)' check-targets
+	@tests/releases/bytes.sh '$(BUILD)/bytes' $(programs)/hbr '$(COMPILERS)' '$(SAME)'
 
 format:
 	@.ci/packages '$(DEPS)' format

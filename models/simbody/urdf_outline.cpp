@@ -27,14 +27,11 @@ std::string words(std::string name) {
 class Reader {
  public:
   Reader(const std::filesystem::path& path, const std::string& text) : path_(path.string()) {
-    // urdfdom's reader recurses: a file of nothing but opening tags must not use up the stack.
-    int depth = 0;
-    for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-      if (text[i] == '<' && text[i + 1] != '!' && text[i + 1] != '?') depth += text[i + 1] == '/' ? -1 : 1;
-      if (text[i] == '/' && text[i + 1] == '>') --depth;
-      if (depth > 400) throw InputError("{}: elements are nested without end; expected a URDF", path_);
-    }
     document_.Parse(text.c_str());
+    // More than a hundred deep is refused here: urdfdom's reader recurses and would use up the stack.
+    if (document_.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
+      throw InputError("{}:{}: elements are nested without end; expected a URDF", path_,
+                       document_.ErrorLineNum());
     if (document_.Error())
       throw InputError("{}:{}: not XML ({}); expected a URDF", path_, std::max(1, document_.ErrorLineNum()),
                        words(document_.ErrorName()));
@@ -66,10 +63,12 @@ class Reader {
   std::string attribute(const XMLElement& element, const char* key, const std::string& what) const {
     const char* value = element.Attribute(key);
     if (!value || !*value) throw InputError("{}:{}: {} has no '{}'", path_, element.GetLineNum(), what, key);
-    for (const char* c = value; *c; ++c)
-      if (std::iscntrl(static_cast<unsigned char>(*c)))
-        throw InputError("{}:{}: {} has a control character in its {} '{}'", path_, element.GetLineNum(),
-                         what, key, value);
+    std::string shown = value;
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return std::iscntrl(c); }, ' ');
+    if (shown != value)
+      throw InputError("{}:{}: {} has a control character in its {} '{}'", path_, element.GetLineNum(), what,
+                       key, shown);
     return value;
   }
   std::string end(const XMLElement& joint, const char* side, const std::string& what) const {
