@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
-#include "pipeline/core/check.h"
+#include "pipeline/artifact/content.h"
 #include "reports/external.h"
 #include "reports/html.h"
 
@@ -79,14 +78,6 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder) {
   write_file(folder / (figure.id + ".pdf"),
              run_program({"rsvg-convert", "--format=pdf", "--unlimited"}, svg));
   write_file(folder / (figure.id + ".csv"), figure.table.csv());
-}
-
-void write_file(const std::filesystem::path& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.close();
-  if (!file)
-    throw InputError("cannot write {}: is the folder writable and the disk not full?", path.string());
 }
 
 }  // namespace hbr

@@ -47,7 +47,4 @@ std::string figure_html(const Figure& figure);
 // Writes folder/ID.svg, .pdf (by rsvg-convert) and .csv; nothing for an absent figure.
 void write_figure(const Figure& figure, const std::filesystem::path& folder);
 
-// Writes a file, or throws InputError that names it.
-void write_file(const std::filesystem::path& path, const std::string& content);
-
 }  // namespace hbr

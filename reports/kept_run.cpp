@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 #include <vector>
 
 #include "pipeline/artifact/freshness.h"
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/core/check.h"
-#include "reports/figure.h"
+#include "pipeline/statistics/statistics_file.h"
+#include "reports/lineage.h"
 
 namespace hbr {
 namespace {
@@ -19,13 +20,6 @@ using nlohmann::json;
 constexpr const char* kStatistics = "statistics.json";
 constexpr std::size_t kDigits = 16;  // of a hash: enough to tell a thousand artifacts apart
 
-json read_json(const fs::path& path) {
-  std::ifstream file(path);
-  json contents = json::parse(file, nullptr, false);
-  if (contents.is_discarded()) throw InputError("{} is missing or no JSON", path.string());
-  return contents;
-}
-
 std::string short_hash(const std::string& hash) { return hash.substr(0, kDigits); }
 
 Node node_at(const std::string& output) {
@@ -34,11 +28,58 @@ Node node_at(const std::string& output) {
   return node;
 }
 
-Manifest manifest_of(const fs::path& out, const std::string& output) {
-  auto manifest = read_manifest(manifest_path(out, node_at(output)));
-  if (!manifest || artifact_hash({out, {}, {}}, node_at(output)) != manifest->content.sha256)
-    throw InputError("{} is missing or damaged; `make all` of the profile makes it", (out / output).string());
-  return *manifest;
+// Of claims.json what is kept.
+struct KeptClaim {
+  std::string id, paper, ours, verdict, indication;
+};
+template <class Fields>
+void describe(Fields& f, KeptClaim& c) {
+  f.text("id", c.id, "unique");
+  f.text("paper", c.paper, "the paper's figures");
+  f.text("ours", c.ours, "this run's figures");
+  f.text("verdict", c.verdict, "what became of it");
+  f.text("indication", c.indication, "what it would be without regard to size");
+}
+struct KeptClaims {
+  std::vector<KeptClaim> claims;
+};
+template <class Fields>
+void describe(Fields& f, KeptClaims& c) {
+  f.tables("claims", c.claims, "the paper's claims");
+}
+
+struct Origin {
+  std::string profile;
+  std::map<std::string, std::string> toolchain;
+  std::vector<std::string> versions;
+};
+template <class Fields>
+void describe(Fields& f, Origin& o) {
+  f.text("profile", o.profile, "its name");
+  f.named_texts("toolchain", o.toolchain, "as in toolchain.h, or null where it was more than one");
+  f.texts("versions", o.versions, "of the repository");
+}
+
+void check_claims(const json& claims, const fs::path& file) {
+  settings_from_json<KeptClaims>(json{{"claims", claims}}, file.string());
+}
+
+// Of each claim what is kept; missing keys are left for the check.
+json kept_of(const json& claims) {
+  json kept = json::array();
+  for (const json& claim : claims) {
+    kept.push_back(json::object());
+    for (const char* key : {"id", "paper", "ours", "verdict", "indication"})
+      if (claim.is_object() && claim.contains(key)) kept.back()[key] = claim[key];
+  }
+  return kept;
+}
+
+// Throws InputError where the artifact is not what its manifest says.
+void check_artifact(const fs::path& out, const std::string& output) {
+  const Found found = look_at({out, {}, {}}, node_at(output), Compare::by_sign);
+  if (found.state != State::fresh)
+    throw InputError("{}: {}; `make all` of the profile makes it again", (out / output).string(), found.why);
 }
 
 json without_curves(json statistics) {
@@ -89,50 +130,35 @@ KeptRun read_run(const fs::path& out) {
                      out.string());
   KeptRun run;
   bool first = true;
-  std::vector<std::string> waiting{"page"};
-  std::map<std::string, std::string> seen;  // output -> sha256
-  while (!waiting.empty()) {
-    const std::string output = waiting.back();
-    waiting.pop_back();
-    const Manifest manifest = manifest_of(out, output);
-    seen[output] = manifest.content.sha256;
+  const std::map<std::string, Manifest> manifests = lineage(out, "page");
+  for (const auto& [output, manifest] : manifests) {
+    check_artifact(out, output);
     note_toolchain(run, manifest, first);
-    if (output.ends_with(kStatistics)) {
-      const std::string variation = manifest.made_from.slice.value("variation", "");
-      run.statistics[variation] = without_curves(read_json(out / output));
-    } else if (output != "page") {
+    if (output.ends_with(kStatistics))
+      run.statistics[manifest.slice.variation] = without_curves(read_statistics(out / output));
+    else if (output != "page")
       run.artifacts[output] = {short_hash(manifest.content.sha256),
-                               short_hash(sha256_of_text(manifest.made_from.slice.at("settings").dump()))};
-    }
-    for (const auto& [name, input] : manifest.made_from.slice.at("inputs").items())
-      if (!seen.contains(input)) {
-        seen[input] = "";
-        waiting.push_back(input);
-      }
-  }
-  // Everything that anything was made from is what stands there now.
-  for (const auto& [output, hash] : seen) {
-    const Manifest manifest = *read_manifest(manifest_path(out, node_at(output)));
-    for (const auto& [name, input] : manifest.made_from.slice.at("inputs").items())
-      if (manifest.made_from.inputs.at(name) != seen.at(input))
+                               short_hash(sha256_of_text(manifest.slice.settings.dump()))};
+    // Everything that it was made from is what stands there now.
+    for (const auto& [name, input] : manifest.slice.inputs)
+      if (manifest.made_from.inputs.at(name) != manifests.at(input).content.sha256)
         throw InputError("{} was made from another {} than is there now; `make all` of the profile mends it",
-                         (out / output).string(), input.get<std::string>());
+                         (out / output).string(), input);
   }
-  for (const json& claim : read_json(out / "page/claims.json")) {
-    json kept;
-    for (const char* key : {"id", "paper", "ours", "verdict", "indication"}) kept[key] = claim.at(key);
-    run.claims.push_back(kept);
-  }
+  if (!run.statistics.contains(""))
+    throw InputError(
+        "{}: its report was made from no statistics.json; `make all` of the profile makes it again",
+        out.string());
+  run.claims = kept_of(read_json(out / "page/claims.json"));
+  check_claims(run.claims, out / "page/claims.json");
   run.profile = run.statistics.at("").at("profile");
   return run;
 }
 
 void write_kept(const KeptRun& run, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError("cannot make {}: {}", folder.string(), error.message());
+  fs::create_directories(folder);
   for (const auto& entry : fs::directory_iterator(folder))  // of variations that are no more
-    if (entry.path().filename().string().ends_with(kStatistics)) fs::remove(entry.path(), error);
+    if (entry.path().filename().string().ends_with(kStatistics)) fs::remove(entry.path());
   write_file(
       folder / "origin.json",
       json{{"profile", run.profile}, {"toolchain", run.toolchain}, {"versions", run.versions}}.dump(1) +
@@ -151,26 +177,24 @@ KeptRun read_kept(const fs::path& folder) {
     throw InputError("{}: there is no reference; `make reference` keeps one of a finished run",
                      folder.string());
   KeptRun run;
-  try {
-    const json origin = read_json(folder / "origin.json");
-    run.profile = origin.at("profile");
-    run.toolchain = origin.at("toolchain");
-    origin.at("versions").get_to(run.versions);
-    run.claims = read_json(folder / "claims.json");
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const std::string name = entry.path().filename().string();
-      if (!name.ends_with(kStatistics)) continue;
-      const std::string head = name.substr(0, name.size() - std::string(kStatistics).size());
-      run.statistics[head.substr(0, head.size() - !head.empty())] = read_json(entry.path());
-    }
-    for (const auto& [variation, statistics] : run.statistics)
-      statistics.at("quantities"), statistics.at("numbers");
-    run.statistics.at("");
-  } catch (const std::exception& problem) {
-    throw InputError("{}: not a reference as `make reference` leaves it: {}", folder.string(),
-                     problem.what());
+  json origin = read_json(folder / "origin.json");
+  if (origin.is_object() && origin.contains("toolchain")) run.toolchain = origin["toolchain"];
+  if (run.toolchain.is_null() && origin.is_object()) origin["toolchain"] = json::object();
+  const auto known = settings_from_json<Origin>(origin, (folder / "origin.json").string());
+  run.profile = known.profile;
+  run.versions = {known.versions.begin(), known.versions.end()};
+  run.claims = read_json(folder / "claims.json");
+  check_claims(run.claims, folder / "claims.json");
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(kStatistics)) continue;
+    const std::string head = name.substr(0, name.size() - std::string(kStatistics).size());
+    run.statistics[head.substr(0, head.size() - !head.empty())] = read_statistics(entry.path());
   }
-  std::ifstream file(folder / "artifacts.csv");
+  if (!run.statistics.contains(""))
+    throw InputError("{}: missing; `make reference` keeps it of a finished run",
+                     (folder / kStatistics).string());
+  std::istringstream file(read_whole(folder / "artifacts.csv"));
   std::string line;
   std::getline(file, line);
   while (std::getline(file, line)) {

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 #include <vector>
 
-#include "pipeline/artifact/manifest.h"
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/core/check.h"
 #include "reports/colour.h"
@@ -18,6 +16,7 @@
 #include "reports/figure.h"
 #include "reports/format.h"
 #include "reports/html.h"
+#include "reports/lineage.h"
 #include "reports/svg.h"
 
 namespace hbr {
@@ -39,31 +38,20 @@ struct Facts {
 };
 
 Facts read_facts(const fs::path& out) {
-  std::vector<Manifest> manifests;
-  std::map<std::string, std::string> stage_of;  // an artifact's
-  for (const auto& entry : fs::recursive_directory_iterator(out))
-    if (entry.path().extension() == ".json" && entry.is_regular_file())
-      if (auto manifest = read_manifest(entry.path())) {
-        stage_of[manifest->made_from.slice.value("output", "")] =
-            manifest->made_from.slice.value("stage", "");
-        manifests.push_back(std::move(*manifest));
-      }
+  const std::map<std::string, Manifest> manifests = lineage(out, "page");
   Facts facts;
-  for (const Manifest& manifest : manifests) {
-    const std::string variation = manifest.made_from.slice.value("variation", "");
-    StageFacts& stage = variation.empty() ? facts.stages[manifest.made_from.slice.value("stage", "")]
-                                          : facts.variations[variation];
+  for (const auto& [output, manifest] : manifests) {
+    const Slice& slice = manifest.slice;
+    StageFacts& stage =
+        slice.variation.empty() ? facts.stages[slice.stage] : facts.variations[slice.variation];
     ++stage.artifacts;
     stage.seconds += manifest.run.value("seconds", 0.0);
     stage.cpu_seconds += manifest.run.value("cpu_seconds", 0.0);
     stage.memory = std::max(stage.memory, manifest.run.value("peak_memory_bytes", 0.0));
     for (const char* word : {"version", "compiler", "architecture", "host"})
       facts.words[word].insert(manifest.run.value(word, "unknown"));
-    if (!variation.empty()) continue;
-    const auto inputs = manifest.made_from.slice.value("inputs", nlohmann::json::object());
-    for (const auto& [name, output] : inputs.items())
-      if (const auto found = stage_of.find(output.get<std::string>()); found != stage_of.end())
-        stage.needs.insert(found->second);
+    if (slice.variation.empty())
+      for (const auto& [name, input] : slice.inputs) stage.needs.insert(manifests.at(input).slice.stage);
   }
   return facts;
 }
@@ -84,6 +72,17 @@ std::string graph_html(const Facts& facts) {
   const Drawing drawing = parse_svg(run_program({"dot", "-Tsvg"}, dot + "}\n"), "stages");
   return "<div class=\"scroll graph\">" + inline_svg(drawing, "The stages and what they hand on") +
          "</div>\n";
+}
+
+// Then there is nothing to write, which a folder that can only be read would refuse.
+bool is_published(const fs::path& page, const std::string& html, const fs::path& report) {
+  try {
+    std::map<std::string, std::string> files = content_of(page).files;
+    files["index.html"] = sha256_of_text(html);
+    return fs::is_directory(report) && content_of(report).files == files;
+  } catch (const InputError&) {
+    return false;  // writing it anew mends it, or says what is wrong
+  }
 }
 
 }  // namespace
@@ -121,26 +120,22 @@ std::string provenance_html(const fs::path& out) {
 }
 
 void publish_report(const fs::path& page, const fs::path& out, const fs::path& report) {
-  std::ifstream file(page / "index.html", std::ios::binary);
-  std::string html{std::istreambuf_iterator<char>(file), {}};
+  std::string html = read_whole(page / "index.html");
   const std::size_t mark = html.find(kMark);
   if (mark == std::string::npos)
-    throw InputError("{} is missing or has no place for the provenance; was it made by the report stage?",
+    throw InputError("{} has no place for the provenance; was it made by the report stage?",
                      (page / "index.html").string());
   html.replace(mark, std::string(kMark).size(), provenance_html(out));
+  if (is_published(page, html, report)) return;
 
   const fs::path copy = report.string() + ".new", old = report.string() + ".old";
-  try {
-    fs::remove_all(copy);
-    fs::remove_all(old);
-    fs::copy(page, copy, fs::copy_options::recursive);
-    write_file(copy / "index.html", html);
-    if (fs::exists(report)) fs::rename(report, old);
-    fs::rename(copy, report);
-    fs::remove_all(old);
-  } catch (const fs::filesystem_error& error) {
-    throw InputError("cannot publish the report: {}", error.what());
-  }
+  fs::remove_all(copy);
+  fs::remove_all(old);
+  fs::copy(page, copy, fs::copy_options::recursive);
+  write_file(copy / "index.html", html);
+  if (fs::exists(report)) fs::rename(report, old);
+  fs::rename(copy, report);
+  fs::remove_all(old);
 }
 
 }  // namespace hbr

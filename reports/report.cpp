@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "pipeline/artifact/content.h"
 #include "pipeline/core/check.h"
 #include "reports/assets.h"
 #include "reports/figures.h"

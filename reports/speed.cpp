@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
+#include <optional>
 
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/profile.h"
 #include "pipeline/artifact/toolchain.h"
 #include "pipeline/core/check.h"
@@ -50,6 +52,39 @@ void describe(Fields& f, SpeedRows& s) {
   f.tables("rows", s.rows, "the table");
 }
 
+// The table as it is kept.
+struct KeptSpeedRow {
+  std::string what, item, against;
+  double rate = 0;
+  std::optional<double> reference_rate;
+  std::map<std::string, double> with;
+  std::vector<SpeedPeer> peers;
+};
+template <class Fields>
+void describe(Fields& f, KeptSpeedRow& r) {
+  f.text("what", r.what, "what is done");
+  f.text("item", r.item, "what is counted");
+  f.text("against", r.against, "what the reference does, or \"\"");
+  f.number("rate", r.rate, Range{1e-9, 1e15}, "items per CPU second");
+  f.optional_number("reference_rate", r.reference_rate, Range{1e-9, 1e15}, "the reference's, or null");
+  f.named_numbers("with", r.with, Range{-1e15, 1e15}, "counters that are told, too");
+  f.tables("peers", r.peers, "rates of others, measured elsewhere");
+}
+
+struct KeptSpeed {
+  std::string machine, compiler, flags, architecture, peers_from;
+  std::vector<KeptSpeedRow> rows;
+};
+template <class Fields>
+void describe(Fields& f, KeptSpeed& s) {
+  f.text("machine", s.machine, "where it was measured");
+  f.text("compiler", s.compiler, "as in toolchain.h");
+  f.text("flags", s.flags, "as in toolchain.h");
+  f.text("architecture", s.architecture, "as in toolchain.h");
+  f.text("peers_from", s.peers_from, "where the peers' rates come from");
+  f.tables("rows", s.rows, "the table");
+}
+
 namespace {
 
 using nlohmann::json;
@@ -58,10 +93,9 @@ using nlohmann::json;
 std::map<std::string, json> fastest(const std::vector<std::filesystem::path>& results) {
   std::map<std::string, json> best;
   for (const auto& path : results) {
-    std::ifstream file(path);
-    const json result = json::parse(file, nullptr, false);
+    const json result = read_json(path);
     if (!result.is_object() || !result.contains("benchmarks"))
-      throw InputError("{} is missing or not what Google Benchmark writes", path.string());
+      throw InputError("{} is not what Google Benchmark writes", path.string());
     for (const json& one : result["benchmarks"]) {
       if (one.value("run_type", "") != "iteration" || !one.contains("items_per_second")) continue;
       std::string name = one.at("run_name");
@@ -157,11 +191,11 @@ std::string html(const Table& table) {
 }
 
 template <class Write>
-auto checked(Write&& write) {
+auto checked(const char* what, Write&& write) {
   try {
     return write();
   } catch (const json::exception& error) {
-    throw InputError("the benchmarks' table is not as described: {}", error.what());
+    throw InputError("{} is not as described: {}; `make bench` makes it again", what, error.what());
   }
 }
 
@@ -176,7 +210,7 @@ std::string where(const json& speed) {
 json condense_speed(const std::filesystem::path& rows, const std::vector<std::filesystem::path>& results,
                     bool whole) {
   const auto wanted = read_profile<SpeedRows>(rows);
-  const auto best = checked([&] { return fastest(results); });
+  const auto best = checked("what Google Benchmark wrote", [&] { return fastest(results); });
   json speed{{"machine", machine()}, {"peers_from", wanted.peers_from}, {"rows", json::array()}};
   const json tools = toolchain();
   for (const char* word : {"compiler", "flags", "architecture"}) speed[word] = tools.at(word);
@@ -206,8 +240,14 @@ json condense_speed(const std::filesystem::path& rows, const std::vector<std::fi
   return speed;
 }
 
+json read_speed(const std::filesystem::path& file) {
+  json speed = read_json(file);
+  if (!speed.is_null()) settings_from_json<KeptSpeed>(speed, file.string());
+  return speed;
+}
+
 std::string speed_markdown(const json& speed) {
-  return checked([&] {
+  return checked("the benchmarks' table", [&] {
     return fmt::format("{}\n{}.\n\n{}\nThe others' rates are of {}\n", markdown(own_table(speed)),
                        where(speed), markdown(peers_table(speed)), speed.at("peers_from").get<std::string>());
   });
@@ -215,7 +255,7 @@ std::string speed_markdown(const json& speed) {
 
 std::string speed_html(const json& speed) {
   if (speed.is_null()) return "<p class=\"absent\">No benchmarks are kept with these sources.</p>";
-  return checked([&] {
+  return checked("the benchmarks' table", [&] {
     return fmt::format(
         "<p>Measured by <code>make bench</code> and kept with the sources; this run did not measure it. "
         "{}.</p>\n{}"

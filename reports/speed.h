@@ -22,6 +22,9 @@ namespace hbr {
 nlohmann::json condense_speed(const std::filesystem::path& rows,
                               const std::vector<std::filesystem::path>& results, bool whole);
 
+// The table as it is kept, or null. Throws InputError where the file is not as described above.
+nlohmann::json read_speed(const std::filesystem::path& file);
+
 // As in a README. The same table as HTML, with a sentence on where it was measured; null says that there is
 // none. Both throw InputError where `speed` is not as above.
 std::string speed_markdown(const nlohmann::json& speed);

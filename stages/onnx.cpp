@@ -1,11 +1,10 @@
 // A replication's autoencoder for other programs: encoder.onnx, decoder.onnx and whole.onnx.
 #include <filesystem>
-#include <fstream>
 
 #include "models/autoencoder/file.h"
 #include "models/onnx/export.h"
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/stage.h"
-#include "pipeline/core/check.h"
 
 namespace {
 
@@ -16,12 +15,8 @@ void run(hbr::StageRun& stage) {
   using Model = std::pair<const char*, std::string>;
   for (const auto& [name, content] :
        {Model{"encoder.onnx", hbr::onnx_encoder(network)}, Model{"decoder.onnx", hbr::onnx_decoder(network)},
-        Model{"whole.onnx", hbr::onnx_whole(network)}}) {
-    const std::filesystem::path path = stage.output() / name;
-    std::ofstream file(path, std::ios::binary);
-    file << content;
-    if (!file.flush()) throw hbr::InputError("{}: can't write this file; is the disk full?", path.string());
-  }
+        Model{"whole.onnx", hbr::onnx_whole(network)}})
+    hbr::write_file(stage.output() / name, content);
 }
 
 }  // namespace

@@ -1,17 +1,13 @@
 // publish PAGE OUT REPORT: the page that the report stage left, with times, hosts and versions from the
 // manifests of OUT, as the folder REPORT. No stage: what it writes depends on when and where.
-#include <fmt/format.h>
-
+#include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
 #include "reports/provenance.h"
 
 int main(int argc, char** argv) {
-  try {
+  return hbr::guarded_main("publish", [&] {
     if (argc != 4) throw hbr::InputError("expected three folders: publish PAGE OUT REPORT");
     hbr::publish_report(argv[1], argv[2], argv[3]);
     return 0;
-  } catch (const hbr::InputError& error) {
-    fmt::print(stderr, "publish: {}\n", error.what());
-    return 2;
-  }
+  });
 }

@@ -2,12 +2,11 @@
 // below OUT; the settings say where the claims and the readings are written down.
 #include "reports/report.h"
 
-#include <fstream>
-
 #include "pipeline/artifact/stage.h"
-#include "pipeline/core/check.h"
+#include "pipeline/statistics/statistics_file.h"
 #include "reports/claims.h"
 #include "reports/readings.h"
+#include "reports/speed.h"
 
 namespace hbr {
 namespace {
@@ -33,27 +32,20 @@ void describe(Fields& f, ReportSettings& s) {
   f.tables("variations", s.variations, "other readings, run beside this one");
 }
 
-nlohmann::json read_json(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
-  if (json.is_discarded()) throw InputError("{} is missing or no JSON", path.string());
-  return json;
-}
-
 void run(StageRun& stage) {
   const auto settings = stage.settings_as<ReportSettings>();
-  const nlohmann::json statistics = read_json(stage.input("statistics.json"));
+  const nlohmann::json statistics = read_statistics(stage.input("statistics.json"));
   std::map<std::string, std::filesystem::path> artifacts;
   for (const std::string& name : stage.inputs())
     if (!name.ends_with("statistics.json")) artifacts[name] = stage.input(name);
   std::vector<VariationClaims> variations;
   for (const VariationName& v : settings.variations) {
-    const nlohmann::json own = read_json(stage.input(v.name + "/statistics.json"));
+    const nlohmann::json own = read_statistics(stage.input(v.name + "/statistics.json"));
     variations.push_back({v.name, v.changes, evaluate_claims(settings.claims, own)});
   }
   write_report({statistics.at("profile"), Artifacts(artifacts), statistics,
                 evaluate_claims(settings.claims, statistics), read_readings(settings.readings),
-                std::move(variations), read_json(settings.speed)},
+                std::move(variations), read_speed(settings.speed)},
                stage.output());
 }
 

@@ -2,8 +2,7 @@
 // named by their paths below OUT.
 #include "pipeline/statistics/collect.h"
 
-#include <fstream>
-
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/core/check.h"
 
@@ -18,11 +17,7 @@ void run(StageRun& stage) {
   std::map<std::string, std::filesystem::path> artifacts;
   for (const std::string& name : stage.inputs()) artifacts[name] = stage.input(name);
   const nlohmann::json statistics = collect_statistics(*profile, artifacts);
-
-  std::ofstream file(stage.output());
-  file << statistics.dump(1) << '\n';
-  file.close();
-  if (!file) throw InputError("{}: can't write this file; is the disk full?", stage.output().string());
+  write_file(stage.output(), statistics.dump(1) + "\n");
 }
 
 }  // namespace

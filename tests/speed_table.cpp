@@ -3,18 +3,18 @@
 // "", where only some of the benchmarks were run.
 #include <fmt/format.h>
 
+#include "pipeline/artifact/content.h"
+#include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
-#include "reports/figure.h"
 #include "reports/speed.h"
 
-int main(int argc, char** argv) try {
-  if (argc < 4) throw hbr::InputError("speed_table: expected ROWS KEEP RESULT...");
-  const std::string keep = argv[2];
-  const nlohmann::json speed = hbr::condense_speed(argv[1], {argv + 3, argv + argc}, !keep.empty());
-  if (!keep.empty()) hbr::write_file(keep, speed.dump(1) + "\n");
-  fmt::print("{}", hbr::speed_markdown(speed));
-  return 0;
-} catch (const hbr::InputError& error) {
-  fmt::print(stderr, "{}\n", error.what());
-  return 2;
+int main(int argc, char** argv) {
+  return hbr::guarded_main("speed_table", [&] {
+    if (argc < 4) throw hbr::InputError("expected ROWS KEEP RESULT...");
+    const std::string keep = argv[2];
+    const nlohmann::json speed = hbr::condense_speed(argv[1], {argv + 3, argv + argc}, !keep.empty());
+    if (!keep.empty()) hbr::write_file(keep, speed.dump(1) + "\n");
+    fmt::print("{}", hbr::speed_markdown(speed));
+    return 0;
+  });
 }

@@ -5,6 +5,7 @@
 
 #include "models/judge/hog.h"
 #include "models/judge/nearest.h"
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -61,8 +62,8 @@ Judge::Judge(const Hdf5Reader& file, const Dataset& dataset, Workers& workers) {
                      classifier_.centres.rows(), classifier_.weights.rows());
   classifier_.gamma = file.number_attribute("gamma");
   typical_distance_ = file.number_attribute("typical_distance");
-  settings_ = settings_from_json<JudgeSettings>(nlohmann::json::parse(file.text_attribute("judge")),
-                                                file.path().string());
+  const std::string where = file.path().string() + ": judge";
+  settings_ = settings_from_json<JudgeSettings>(parse_json(file.text_attribute("judge"), where), where);
   read_training_images(dataset.train, workers);
 }
 

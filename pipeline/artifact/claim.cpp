@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -16,7 +15,7 @@
 
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/temporary.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr {
 namespace fs = std::filesystem;
@@ -30,7 +29,7 @@ std::optional<Process> holder_of(const fs::path& out) {
 }
 
 [[noreturn]] void fail(const fs::path& out) {
-  throw InputError("{}: can't write to this output folder: {}", out.string(), std::strerror(errno));
+  throw file_error(out, "can't write to this output folder", errno);
 }
 
 // The first to get there makes the link; where there are no links, the first to look.

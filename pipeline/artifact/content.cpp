@@ -14,14 +14,16 @@
 #include <vector>
 
 #include "pipeline/artifact/temporary.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr {
 namespace fs = std::filesystem;
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, const char* what) {
-  throw InputError("{}: {}: {}", path.string(), what, std::strerror(errno));
+[[noreturn]] void fail(const fs::path& path, const char* what) { throw file_error(path, what, errno); }
+
+[[noreturn]] void no_file(const fs::path& path) {
+  throw InputError("{}: expected a file or a folder, found something else", path.string());
 }
 
 class Sha256 {
@@ -43,12 +45,15 @@ class Sha256 {
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags)
-      : path_(path), id_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+      // Not blocking: a pipe that nobody writes to would be waited for without end.
+      : path_(path), id_(::open(path.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0666)) {
     if (id_ < 0) fail(path, flags == O_RDONLY ? "can't read" : "can't write");
+    struct stat s {};
+    if (::fstat(id_, &s) == 0 && (S_ISREG(s.st_mode) || S_ISDIR(s.st_mode))) return;
+    ::close(id_);
+    no_file(path);
   }
-  ~Descriptor() {
-    if (id_ >= 0) ::close(id_);
-  }
+  ~Descriptor() { ::close(id_); }
   Descriptor(const Descriptor&) = delete;
   std::size_t read(char* to, std::size_t bytes) const {
     ssize_t got;
@@ -89,12 +94,21 @@ std::vector<fs::path> files_below(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_directory() && !entry.is_symlink()) continue;
-    if (!entry.is_regular_file() || entry.is_symlink())
-      throw InputError("{}: expected a file or a folder, found something else", entry.path().string());
+    if (!entry.is_regular_file() || entry.is_symlink()) no_file(entry.path());
     files.push_back(entry.path().lexically_relative(folder));
   }
   std::sort(files.begin(), files.end());
   return files;
+}
+
+// What std::filesystem throws, as all errors of files are told.
+template <class Look>
+auto looked_at(Look&& look) {
+  try {
+    return look();
+  } catch (const fs::filesystem_error& error) {
+    throw file_error(error);
+  }
 }
 
 std::string sign_of_file(const fs::path& path) {
@@ -113,27 +127,25 @@ std::string sha256_of_text(std::string_view text) {
 }
 
 Content content_of(const fs::path& path) {
-  Content content;
-  if (!fs::is_directory(path)) {
-    content.sha256 = sha256_of_file(path, content.bytes);
+  return looked_at([&] {
+    Content content;
+    if (!fs::is_directory(path)) {
+      content.sha256 = sha256_of_file(path, content.bytes);
+      return content;
+    }
+    std::string list;
+    for (const fs::path& file : files_below(path)) {
+      const std::string hash = sha256_of_file(path / file, content.bytes);
+      content.files[file.string()] = hash;
+      list += hash + "  " + file.string() + "\n";
+    }
+    content.sha256 = sha256_of_text(list);
     return content;
-  }
-  std::string list;
-  for (const fs::path& file : files_below(path)) {
-    const std::string hash = sha256_of_file(path / file, content.bytes);
-    content.files[file.string()] = hash;
-    list += hash + "  " + file.string() + "\n";
-  }
-  content.sha256 = sha256_of_text(list);
-  return content;
+  });
 }
 
 std::string sha256_of_program(const fs::path& path) {
-  const Descriptor file(path, O_RDONLY);
-  std::string all;
-  std::vector<char> buffer(std::size_t{1} << 20);
-  while (const std::size_t got = file.read(buffer.data(), buffer.size())) all.append(buffer.data(), got);
-
+  std::string all = read_whole(path);
   Elf64_Ehdr header;
   if (all.size() < sizeof header || std::memcmp(all.data(), ELFMAG, SELFMAG) != 0) return sha256_of_text(all);
   std::memcpy(&header, all.data(), sizeof header);
@@ -157,17 +169,31 @@ std::string sha256_of_program(const fs::path& path) {
 }
 
 std::string sign_of(const fs::path& path) {
-  if (!fs::is_directory(path)) return sign_of_file(path);
-  std::string list;
-  for (const fs::path& file : files_below(path))
-    list += sign_of_file(path / file) + "  " + file.string() + "\n";
-  return sha256_of_text(list);
+  return looked_at([&] {
+    if (!fs::is_directory(path)) return sign_of_file(path);
+    std::string list;
+    for (const fs::path& file : files_below(path))
+      list += sign_of_file(path / file) + "  " + file.string() + "\n";
+    return sha256_of_text(list);
+  });
 }
 
 void sync_to_disk(const fs::path& path) {
   if (fs::is_directory(path))
     for (const fs::path& file : files_below(path)) Descriptor(path / file, O_RDONLY).sync();
   Descriptor(path, O_RDONLY).sync();
+}
+
+std::string read_whole(const fs::path& path) {
+  const Descriptor file(path, O_RDONLY);
+  std::string all;
+  std::vector<char> buffer(std::size_t{1} << 16);
+  while (const std::size_t got = file.read(buffer.data(), buffer.size())) all.append(buffer.data(), got);
+  return all;
+}
+
+void write_file(const fs::path& path, std::string_view text) {
+  Descriptor(path, O_WRONLY | O_CREAT | O_TRUNC).write(text);
 }
 
 void write_whole(const fs::path& path, std::string_view text) {

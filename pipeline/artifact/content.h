@@ -32,6 +32,12 @@ std::string sign_of(const std::filesystem::path& path);
 // Writes the file or all of the folder's files through to the disk.
 void sync_to_disk(const std::filesystem::path& path);
 
+// A whole file. Throws InputError where it is missing, can't be read or is no file.
+std::string read_whole(const std::filesystem::path& path);
+
+// Writes a new file, or over an old one, without a care for a machine that stops. Throws InputError.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
 // Replaces the file as a whole: a reader, or a machine that stops, finds the old or the new text.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 

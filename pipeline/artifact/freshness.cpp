@@ -1,11 +1,11 @@
 #include "pipeline/artifact/freshness.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/settings.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr {
 namespace fs = std::filesystem;
@@ -49,27 +49,93 @@ std::string why_stale(const Node& node, const Ingredients& was, const Ingredient
   return reasons.empty() ? "files changed" : fmt::format("{}", fmt::join(reasons, ", "));
 }
 
-// Whether the artifact is what its manifest says.
-bool is_as_left(const Workspace& workspace, const Node& node, Manifest& manifest) {
-  const fs::path artifact = workspace.out / node.output;
-  const std::string sign = sign_of(artifact);
-  if (sign.empty()) return false;
-  if (sign == manifest.sign) return true;
-  if (content_of(artifact).sha256 != manifest.content.sha256) return false;
-  manifest.sign = sign;
-  if (workspace.remember) write_manifest(manifest_path(workspace.out, node), manifest);
-  return true;
+// All but the comparison of the artifact with its manifest.
+Found manifest_of(const Workspace& workspace, const Node& node) {
+  Found found;
+  const fs::path artifact = workspace.out / node.output, file = manifest_path(workspace.out, node);
+  std::error_code error;
+  try {
+    if (fs::exists(file, error) || error)
+      found.manifest = read_manifest(file);
+    else
+      found.why = "its manifest is missing";
+  } catch (const InputError& problem) {
+    found.why = fmt::format("its manifest is damaged: {}", problem.what());
+  }
+  if (!fs::exists(artifact, error)) {
+    found.why = error ? file_error(artifact, "can't look at it", error.value()).what() : "missing";
+    found.state = error ? State::damaged : State::missing;
+  } else {
+    found.state = found.manifest ? State::fresh : State::damaged;
+  }
+  return found;
+}
+
+// A sign that is still the same would hide from the next look what this one has found.
+void forget_sign(const fs::path& file, const std::string& sign) {
+  try {
+    Manifest manifest = read_manifest(file);
+    if (manifest.sign != sign) return;  // a make has been here meanwhile
+    manifest.sign.clear();
+    write_manifest(file, manifest);
+  } catch (const InputError&) {  // a folder that can only be read: no make can mend it either
+  }
+}
+
+// Compares the artifact with its manifest.
+void compare(const Workspace& workspace, const Node& node, Compare how, Found& found) {
+  const fs::path artifact = workspace.out / node.output, file = manifest_path(workspace.out, node);
+  Manifest& manifest = *found.manifest;
+  std::string sign, sha256;
+  try {
+    sign = sign_of(artifact);
+    if (how == Compare::by_sign && !sign.empty() && sign == manifest.sign) return;
+    const Content content = content_of(artifact);
+    sha256 = content.sha256;
+    found.bytes = content.bytes;
+  } catch (const InputError& problem) {
+    found.state = State::damaged;
+    found.why = problem.what();
+    return;
+  }
+  if (sha256 != manifest.content.sha256) {
+    found.state = State::damaged;
+    found.why = fmt::format("damaged: expected sha256 {}, found {}", manifest.content.sha256, sha256);
+    if (sign == manifest.sign) forget_sign(file, sign);
+  } else if (sign != manifest.sign && workspace.remember) {
+    manifest.sign = sign;
+    write_manifest(file, manifest);
+  }
 }
 
 }  // namespace
 
+// The file as it is written.
+struct KnownHash {
+  std::string file, sign, sha256;
+};
+template <class Fields>
+void describe(Fields& f, KnownHash& h) {
+  f.text("file", h.file, "path");
+  f.text("sign", h.sign, "when it was hashed");
+  f.text("sha256", h.sha256, "of its content");
+}
+struct KnownHashes {
+  std::vector<KnownHash> hashes;
+};
+template <class Fields>
+void describe(Fields& f, KnownHashes& h) {
+  f.tables("hashes", h.hashes, "programs and sources");
+}
+
 HashCache::HashCache(const Workspace& workspace) : workspace_(workspace) {
-  std::ifstream stream(workspace.out / ".plan/hashes.json");
-  const nlohmann::json all = stream ? nlohmann::json::parse(stream, nullptr, false) : nlohmann::json();
+  const fs::path file = workspace.out / ".plan/hashes.json";
   try {
-    if (all.is_object()) all.get_to(known_);
-  } catch (const nlohmann::json::exception&) {
-    known_.clear();  // only a cache
+    for (const auto& known :
+         settings_from_json<KnownHashes>(unsealed(read_json(file), file.string()), file.string()).hashes)
+      known_[known.file] = {known.sign, known.sha256};
+  } catch (const InputError&) {
+    known_.clear();  // only a cache: what is not there, or was edited, is hashed again
   }
 }
 
@@ -99,15 +165,23 @@ std::string HashCache::source(const std::string& path) {
 }
 
 void HashCache::save() {
-  if (changed_ && workspace_.remember)
-    write_whole(workspace_.out / ".plan/hashes.json", nlohmann::json(known_).dump(1));
+  if (changed_ && workspace_.remember) {
+    KnownHashes all;
+    for (const auto& [file, known] : known_) all.hashes.push_back({file, known.first, known.second});
+    write_whole(workspace_.out / ".plan/hashes.json", sealed(settings_to_json(all)).dump(1));
+  }
   changed_ = false;
 }
 
+Found look_at(const Workspace& workspace, const Node& node, Compare how) {
+  Found found = manifest_of(workspace, node);
+  if (found.state == State::fresh) compare(workspace, node, how, found);
+  return found;
+}
+
 std::string artifact_hash(const Workspace& workspace, const Node& node) {
-  std::optional<Manifest> manifest = read_manifest(manifest_path(workspace.out, node));
-  if (!manifest || !is_as_left(workspace, node, *manifest)) return "";
-  return manifest->content.sha256;
+  const Found found = look_at(workspace, node, Compare::by_sign);
+  return found.state == State::fresh ? found.manifest->content.sha256 : "";
 }
 
 Freshness freshness_of(const Workspace& workspace, const Node& node,
@@ -125,25 +199,16 @@ Freshness freshness_of(const Workspace& workspace, const Node& node,
       return found;
     }
 
-  if (!fs::exists(workspace.out / node.output)) {
-    found.why = "missing";
-    return found;
-  }
-  std::optional<Manifest> manifest = read_manifest(manifest_path(workspace.out, node));
-  if (!manifest) {
-    found.why = "its manifest is missing or damaged";
-    return found;
-  }
-  if (manifest->key != found.key) {
+  Found artifact = manifest_of(workspace, node);
+  if (artifact.state == State::fresh && artifact.manifest->key != found.key) {
     found.state = State::stale;
-    found.why = why_stale(node, manifest->made_from, found.ingredients);
-  } else if (!is_as_left(workspace, node, *manifest)) {
-    found.state = State::damaged;
-    found.why = "damaged: its content is not what its manifest says";
-  } else {
-    found.state = State::fresh;
-    found.sha256 = manifest->content.sha256;
+    found.why = why_stale(node, artifact.manifest->made_from, found.ingredients);
+    return found;
   }
+  if (artifact.state == State::fresh) compare(workspace, node, Compare::by_sign, artifact);
+  found.state = artifact.state;
+  found.why = artifact.why;
+  if (found.state == State::fresh) found.sha256 = artifact.manifest->content.sha256;
   return found;
 }
 

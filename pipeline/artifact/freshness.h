@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,28 @@ class HashCache {
 enum class State {
   fresh,    // as its ingredients say
   stale,    // made from other ingredients
-  missing,  // no artifact, or nothing known of it
-  damaged,  // the right ingredients, but not what the stage left
+  missing,  // no artifact
+  damaged,  // the artifact or its manifest is not what the stage left
   waiting   // an input is not fresh: only its rebuilding tells
 };
+
+// Whether an artifact is what its manifest says, whatever it should be made from.
+struct Found {
+  State state = State::missing;        // missing, damaged or fresh
+  std::string why;                     // one line; empty where it is fresh
+  std::optional<Manifest> manifest;    // where it can be read
+  std::optional<std::uint64_t> bytes;  // of the artifact, where it was read
+};
+
+enum class Compare {
+  by_sign,    // the artifact is read where its sign is another than when it was hashed
+  by_content  // it is read
+};
+
+// What `audit` refuses, `make` makes again and `status` calls damaged: all of them ask here. Where the
+// content is another though the sign is the same, the manifest forgets the sign, so that the next look finds
+// it, too.
+Found look_at(const Workspace& workspace, const Node& node, Compare how);
 
 struct Freshness {
   State state = State::missing;

@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/hdf5_handle.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr {
 
@@ -35,7 +33,7 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_uniq
   file_->path = path;
   std::error_code error;
   file_->bytes = std::filesystem::file_size(path, error);
-  if (error) throw InputError("{}: can't read this file: {}", path.string(), error.message());
+  if (error) throw file_error(path, "can't read this file", error.value());
   file_->id = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (!file_->id.valid())
     throw InputError("{}: not an HDF5 file, damaged, or not readable ({})", path.string(), hdf5_reason());

@@ -4,11 +4,10 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/hdf5_handle.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr {
 namespace {
@@ -64,13 +63,14 @@ struct Hdf5Writer::File {
   [[noreturn]] void fail(const std::string& reason) const {
     throw InputError("{}: can't write this file: {}", path.string(), reason);
   }
+  [[noreturn]] void fail_by_system() const { throw file_error(path, "can't write", errno); }
   void check(bool good, const std::string& what) const {
     if (!good) fail(fmt::format("{}: {}", what, hdf5_reason()));
   }
   void write_out() const {
     for (std::size_t at = 0, end = length(); at < end;) {
       const ssize_t written = ::write(descriptor, image + at, end - at);
-      if (written < 0 && errno != EINTR) fail(std::strerror(errno));
+      if (written < 0 && errno != EINTR) fail_by_system();
       if (written > 0) at += static_cast<std::size_t>(written);
     }
   }
@@ -97,7 +97,7 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path) : file_(std::make_uniq
   hdf5_silence();
   file_->path = path;
   file_->descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file_->descriptor < 0) file_->fail(std::strerror(errno));
+  if (file_->descriptor < 0) file_->fail_by_system();
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5FD_file_image_callbacks_t memory{File::allocate, nullptr,       File::reallocate, File::keep,
@@ -163,7 +163,7 @@ void Hdf5Writer::close() {
   file_->check(H5Fflush(file_->id, H5F_SCOPE_GLOBAL) >= 0, "flushing");
   file_->id = Hdf5Handle();
   file_->write_out();
-  if (::close(std::exchange(file_->descriptor, -1)) != 0) file_->fail(std::strerror(errno));
+  if (::close(std::exchange(file_->descriptor, -1)) != 0) file_->fail_by_system();
 }
 
 }  // namespace hbr

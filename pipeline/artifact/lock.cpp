@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "pipeline/artifact/claim.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr {
 namespace {
@@ -27,16 +27,14 @@ constexpr auto kPatience = 1500ms;
 void lock_folder(const std::filesystem::path& out) {
   std::error_code error;
   std::filesystem::create_directories(out / ".plan", error);
-  if (error) throw InputError("{}: can't make this output folder: {}", out.string(), error.message());
+  if (error) throw file_error(out, "can't make this output folder", error.value());
   const std::filesystem::path file = out / ".plan/lock";
   const int lock = ::open(file.c_str(), O_RDWR | O_CREAT, 0666);
-  if (lock < 0)
-    throw InputError("{}: can't write to this output folder: {}", out.string(), std::strerror(errno));
+  if (lock < 0) throw file_error(out, "can't write to this output folder", errno);
   const auto until = std::chrono::steady_clock::now() + kPatience;
   while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
     if (errno == ENOLCK || errno == EOPNOTSUPP) break;  // none here: the claim has to do
-    if (errno != EWOULDBLOCK && errno != EINTR)
-      throw InputError("{}: can't lock this output folder: {}", out.string(), std::strerror(errno));
+    if (errno != EWOULDBLOCK && errno != EINTR) throw file_error(out, "can't lock this output folder", errno);
     if (std::chrono::steady_clock::now() > until) {
       std::array<char, 32> holder{};
       const bool known = ::pread(lock, holder.data(), holder.size() - 1, 0) > 0;
@@ -48,7 +46,7 @@ void lock_folder(const std::filesystem::path& out) {
   }
   const std::string self = std::to_string(::getpid());
   if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, self.data(), self.size(), 0) < 0)
-    throw InputError("{}: can't write to this output folder: {}", out.string(), std::strerror(errno));
+    throw file_error(out, "can't write to this output folder", errno);
   ::setenv(kVariable, std::to_string(lock).c_str(), 1);
 
   const Process holder = this_process();

@@ -1,6 +1,9 @@
 #include "pipeline/artifact/manifest.h"
 
-#include <fstream>
+#include <set>
+
+#include "pipeline/artifact/json_file.h"
+#include "pipeline/core/check.h"
 
 namespace hbr {
 namespace {
@@ -8,6 +11,21 @@ namespace {
 nlohmann::json ingredients_json(const Ingredients& from) {
   return {
       {"slice", from.slice}, {"program", from.program}, {"inputs", from.inputs}, {"sources", from.sources}};
+}
+
+// A record may have more than is known here (a later version's): numbers and texts all the same.
+void check_record(const nlohmann::json& run, const std::string& where) {
+  const std::set<std::string> numbers{"seconds",           "cpu_seconds", "waited_seconds",
+                                      "peak_memory_bytes", "exit",        "threads"};
+  const std::set<std::string> texts{"started",      "host",      "launch", "version",  "compiler",
+                                    "architecture", "processor", "flags",  "libraries"};
+  for (const auto& [key, value] : run.items()) {
+    const bool is_number = value.is_number() && value.get<double>() >= 0;
+    if (texts.contains(key) ? value.is_string() : is_number || (value.is_string() && !numbers.contains(key)))
+      continue;
+    throw InputError("{}: run.{}: expected {}, found {}", where, key,
+                     numbers.contains(key) ? "a number from 0" : "a text", value.dump());
+  }
 }
 
 }  // namespace
@@ -38,37 +56,20 @@ std::filesystem::path manifest_path(const std::filesystem::path& out, const Node
 }
 
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest) {
-  nlohmann::json all = ingredients_json(manifest.made_from);
-  all["key"] = manifest.key;
-  all["sha256"] = manifest.content.sha256;
-  all["files"] = manifest.content.files;
-  all["bytes"] = manifest.content.bytes;
-  all["sign"] = manifest.sign;
-  all["run"] = manifest.run;
-  write_whole(path, all.dump(1) + "\n");
+  write_whole(path, sealed(settings_to_json(manifest)).dump(1) + "\n");
 }
 
-std::optional<Manifest> read_manifest(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (!stream) return {};
-  try {
-    const nlohmann::json all = nlohmann::json::parse(stream);
-    Manifest manifest;
-    manifest.made_from.slice = all.at("slice");
-    manifest.made_from.slice.at("settings");
-    all.at("program").get_to(manifest.made_from.program);
-    all.at("inputs").get_to(manifest.made_from.inputs);
-    all.at("sources").get_to(manifest.made_from.sources);
-    all.at("key").get_to(manifest.key);
-    all.at("sha256").get_to(manifest.content.sha256);
-    all.at("files").get_to(manifest.content.files);
-    all.at("bytes").get_to(manifest.content.bytes);
-    all.at("sign").get_to(manifest.sign);
-    manifest.run = all.at("run");
-    return manifest;
-  } catch (const nlohmann::json::exception&) {
-    return {};
-  }
+Manifest read_manifest(const std::filesystem::path& path) {
+  const std::string where = path.string();
+  nlohmann::json all = read_json(path);
+  if (all.is_object() && all.contains("seal")) all = unsealed(std::move(all), where);  // older ones have none
+  auto manifest = settings_from_json<Manifest>(all, where);
+  manifest.slice = slice_from_json(manifest.made_from.slice, where + ": slice");
+  check_record(manifest.run, where);
+  if (manifest.made_from.key() != manifest.key)
+    throw InputError("{}: key: expected {}, which is that of its ingredients, found {}", where,
+                     manifest.made_from.key(), manifest.key);
+  return manifest;
 }
 
 }  // namespace hbr

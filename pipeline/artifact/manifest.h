@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/graph.h"
+#include "pipeline/artifact/slice.h"
 
 namespace hbr {
 
@@ -26,11 +26,26 @@ struct Ingredients {
 
 struct Manifest {
   Ingredients made_from;
+  Slice slice;      // made_from's, when it was read
   std::string key;  // of made_from
   Content content;
-  std::string sign;    // of the artifact when its content was hashed
-  nlohmann::json run;  // times, host, version, compiler, ...: no part of the key
+  std::string sign;                               // of the artifact when its content was hashed
+  nlohmann::json run = nlohmann::json::object();  // times, host, version, ...: no part of the key
 };
+
+template <class Fields>
+void describe(Fields& f, Manifest& m) {
+  f.raw_table("slice", m.made_from.slice, "what the stage was given");
+  f.text("program", m.made_from.program, "SHA-256");
+  f.named_texts("inputs", m.made_from.inputs, "name -> SHA-256");
+  f.texts("sources", m.made_from.sources, "SHA-256 of each");
+  f.text("key", m.key, "SHA-256 of the four above");
+  f.text("sha256", m.content.sha256, "of the artifact");
+  f.named_texts("files", m.content.files, "of a folder: file -> SHA-256");
+  f.number("bytes", m.content.bytes, Range{0, 1e18}, "of the artifact");
+  f.text("sign", m.sign, "of the artifact when its content was hashed");
+  f.raw_table("run", m.run, "times, host, version, compiler");
+}
 
 // {stage, name, settings, inputs, output}, and variation where the node is of one.
 nlohmann::json slice_of(const Node& node);
@@ -40,7 +55,8 @@ std::string name_of(const Node& node);
 std::filesystem::path manifest_path(const std::filesystem::path& out, const Node& node);
 
 void write_manifest(const std::filesystem::path& path, const Manifest& manifest);
-// Nothing where there is none or it can't be understood: then nothing is known of the artifact.
-std::optional<Manifest> read_manifest(const std::filesystem::path& path);
+// Throws InputError where there is none or it is not as write_manifest left it: then nothing is known of the
+// artifact.
+Manifest read_manifest(const std::filesystem::path& path);
 
 }  // namespace hbr

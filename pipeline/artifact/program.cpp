@@ -4,11 +4,15 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
+#include <system_error>
 
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
+#include "pipeline/core/memory_limit.h"
 
 namespace hbr {
+namespace fs = std::filesystem;
 namespace {
 
 int told(const std::string& name, const char* before, std::string text, int code) {
@@ -16,6 +20,11 @@ int told(const std::string& name, const char* before, std::string text, int code
   const std::string line = fmt::format("{}: {}{}\n", name, before, text);
   std::fputs(line.c_str(), stderr);
   return code;
+}
+
+std::string out_of_memory() {
+  return fmt::format("out of memory: at most {}; raise the limit, or use fewer THREADS or jobs (-j)",
+                     memory_limit());
 }
 
 }  // namespace
@@ -26,10 +35,17 @@ int guarded_main(const std::string& name, const std::function<int()>& body) {
     return body();
   } catch (const InputError& error) {
     return told(name, "", error.what(), 2);
+  } catch (const fs::filesystem_error& error) {
+    return told(name, "", file_error(error).what(), 2);
   } catch (const std::bad_alloc&) {
-    return told(name, "", "out of memory", 3);
+    return told(name, "", out_of_memory(), 3);
+  } catch (const std::system_error& error) {  // a thread that can't be started, mostly
+    return told(name, "", fmt::format("{}; use fewer THREADS or jobs, or raise ulimit -u", error.what()), 3);
   } catch (const std::exception& error) {
-    return told(name, "unexpected error: ", error.what(), 3);
+    const std::string text = error.what();
+    // OpenCV's own word for it.
+    if (text.find("Insufficient memory") != std::string::npos) return told(name, "", out_of_memory(), 3);
+    return told(name, "unexpected error: ", text, 3);
   }
 }
 

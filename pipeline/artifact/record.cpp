@@ -4,9 +4,9 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "pipeline/artifact/content.h"
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/process.h"
 #include "pipeline/artifact/toolchain.h"
 #include "pipeline/core/check.h"
@@ -42,11 +42,8 @@ void write_record(const std::filesystem::path& path, const RunRecord& record) {
 }
 
 std::optional<RunRecord> read_record(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (!stream) return {};
-  const nlohmann::json all = nlohmann::json::parse(stream, nullptr, false);
-  if (!all.is_object()) throw InputError("{}: not the record of a run", path.string());
-  return settings_from_json<RunRecord>(all, path.string());
+  if (!std::filesystem::exists(path)) return {};
+  return read_json_as<RunRecord>(path);
 }
 
 }  // namespace hbr

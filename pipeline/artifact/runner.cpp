@@ -119,40 +119,6 @@ std::vector<std::string> stage_command(const Workspace& workspace, const Node& n
   return command;
 }
 
-fs::path slice_path(const fs::path& out, const Node& node) {
-  return out / ".plan/slices" / (name_of(node) + ".json");
-}
-
-void write_slice(const fs::path& out, const Node& node) {
-  nlohmann::json all = slice_of(node);
-  all["program"] = node.program;
-  all["replication"] = node.replication;
-  all["sources"] = node.sources;
-  const fs::path path = slice_path(out, node);
-  fs::create_directories(path.parent_path());
-  write_whole(path, all.dump(1) + "\n");
-}
-
-Node read_slice(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError("{}: can't read this slice", file.string());
-  try {
-    const nlohmann::json all = nlohmann::json::parse(stream);
-    Node node;
-    all.at("program").get_to(node.program);
-    all.at("stage").get_to(node.stage);
-    all.at("replication").get_to(node.replication);
-    all.at("output").get_to(node.output);
-    node.settings = all.at("settings");
-    for (const auto& [name, output] : all.at("inputs").items()) node.inputs.emplace_back(name, output);
-    all.at("sources").get_to(node.sources);
-    node.variation = all.value("variation", "");
-    return node;
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError("{}: not a slice: {}", file.string(), error.what());
-  }
-}
-
 int run_node(const Workspace& workspace, const Node& node, const RunOptions& options) {
   const std::string name = name_of(node);
   HashCache hashes(workspace);
@@ -179,9 +145,9 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
   if (!record) throw InputError("{}: {} succeeded, but left no record of its run", name, node.program);
   check_unchanged(workspace, node, found.ingredients);
 
-  Manifest manifest{found.ingredients, found.key, content_of(output.path), "",
-                    run_facts(*record, child, options)};
-  const std::optional<Manifest> before = read_manifest(manifest_file);
+  Manifest manifest{found.ingredients,       {}, found.key,
+                    content_of(output.path), "", run_facts(*record, child, options)};
+  const std::optional<Manifest> before = look_at(workspace, node, Compare::by_sign).manifest;
   if (before && before->key == manifest.key && before->content.sha256 != manifest.content.sha256)
     fmt::print(stderr, "{}: not reproducible: the same ingredients gave other bytes than before\n", name);
   sync_to_disk(output.path);

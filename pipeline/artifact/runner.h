@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/artifact/freshness.h"
+#include "pipeline/artifact/slice.h"
 
 namespace hbr {
 
@@ -26,12 +27,6 @@ struct StagePlaces {
 // The command line of a node's stage program.
 std::vector<std::string> stage_command(const Workspace& workspace, const Node& node,
                                        const RunOptions& options, const StagePlaces& places);
-
-std::filesystem::path slice_path(const std::filesystem::path& out, const Node& node);
-// The slice with what the runner needs besides, as make's recipe hands it over.
-void write_slice(const std::filesystem::path& out, const Node& node);
-// Throws InputError where the file is not as write_slice left it.
-Node read_slice(const std::filesystem::path& file);
 
 // Makes the node's artifact unless it is fresh. The stage writes to a temporary name in the same folder,
 // which becomes the artifact when the program succeeded and left it and the record of its run; then the

@@ -27,7 +27,7 @@ std::string place(const SettingsSource& source,
 
 std::string shown(const nlohmann::json& value) {
   if (value.is_object()) return "a table";
-  if (value.is_null()) return "a date or time";
+  if (value.is_null()) return "nothing, a date or a time";
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());  // JSON has no word for nan
   std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (text.size() > 60) text = text.substr(0, 57) + "...";
@@ -70,8 +70,8 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 
 void SettingsReader::fail(const std::string& pointer, const std::string& expected,
                           const nlohmann::json& found, const std::string& hint) const {
-  throw InputError("{}: {}: expected {}, found {}{}", place(source_, source_.places, pointer),
-                   dotted(pointer), expected, shown(found), hint);
+  throw InputError("{}: {}{}expected {}, found {}{}", place(source_, source_.places, pointer),
+                   dotted(pointer), pointer.empty() ? "" : ": ", expected, shown(found), hint);
 }
 
 const nlohmann::json* SettingsReader::find(const char* key, const char* meaning) {
@@ -85,6 +85,12 @@ const nlohmann::json* SettingsReader::find(const char* key, const char* meaning)
 const nlohmann::json* SettingsReader::find_list(const char* key, const char* meaning) {
   const nlohmann::json* found = find(key, meaning);
   if (found && !found->is_array()) fail(pointer_ + "/" + key, fmt::format("a list ({})", meaning), *found);
+  return found;
+}
+
+const nlohmann::json* SettingsReader::find_table(const char* key, const char* meaning) {
+  const nlohmann::json* found = find(key, meaning);
+  if (found) require_table(*found, pointer_ + "/" + key, meaning);
   return found;
 }
 
@@ -205,11 +211,36 @@ void SettingsReader::texts(const char* key, std::vector<std::string>& value, con
   }
 }
 
-void SettingsReader::raw_table(const char* key, nlohmann::json& value, const char* meaning) {
-  const nlohmann::json* found = find(key, meaning);
+void SettingsReader::named_texts(const char* key, std::map<std::string, std::string>& value,
+                                 const char* meaning) {
+  const nlohmann::json* found = find_table(key, meaning);
   if (!found) return;
-  require_table(*found, pointer_ + "/" + key, meaning);
-  value = *found;
+  value.clear();
+  for (const auto& [name, text] : found->items()) {
+    if (!text.is_string()) fail(pointer_ + "/" + key + "/" + name, fmt::format("a text ({})", meaning), text);
+    value[name] = text.get<std::string>();
+  }
+}
+
+void SettingsReader::named_numbers(const char* key, std::map<std::string, double>& value, Range range,
+                                   const char* meaning) {
+  const nlohmann::json* found = find_table(key, meaning);
+  if (!found) return;
+  value.clear();
+  for (const auto& [name, number] : found->items())
+    value[name] = checked_number<double>(number, pointer_ + "/" + key + "/" + name, range, meaning);
+}
+
+void SettingsReader::optional_number(const char* key, std::optional<double>& value, Range range,
+                                     const char* meaning) {
+  known_.emplace_back(key);
+  value.reset();
+  if (const auto found = table_.find(key); found != table_.end() && !found->is_null())
+    value = checked_number<double>(*found, pointer_ + "/" + key, range, meaning);
+}
+
+void SettingsReader::raw_table(const char* key, nlohmann::json& value, const char* meaning) {
+  if (const nlohmann::json* found = find_table(key, meaning)) value = *found;
 }
 
 }  // namespace hbr

@@ -16,8 +16,9 @@
 // Other kinds of field: f.flag(key, bool&, meaning), f.text(key, std::string&, meaning),
 // f.numbers(key, std::vector<double or int>&, Range, meaning), f.texts(key, std::vector<std::string>&,
 // meaning), f.table(key, Struct&, meaning) and f.tables(key, std::vector<Struct>&, meaning) for nested
-// structs, f.raw_table(key, nlohmann::json&, meaning) for a table that is read elsewhere. number() takes int,
-// std::int64_t, std::uint64_t or double members; an integer member refuses a fraction. Every key of a
+// structs, f.named_texts(key, std::map<std::string, std::string>&, meaning) for a table of texts whose keys
+// may be any, f.raw_table(key, nlohmann::json&, meaning) for a table that is read elsewhere. number() takes
+// int, std::int64_t, std::uint64_t or double members; an integer member refuses a fraction. Every key of a
 // description is required and no other is allowed, so a profile says all there is to know.
 #pragma once
 
@@ -25,6 +26,7 @@
 #include <initializer_list>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,7 +66,11 @@ class SettingsReader {
   void numbers(const char* key, std::vector<double>& value, Range range, const char* meaning);
   void numbers(const char* key, std::vector<int>& value, Range range, const char* meaning);
   void texts(const char* key, std::vector<std::string>& value, const char* meaning);
+  void named_texts(const char* key, std::map<std::string, std::string>& value, const char* meaning);
   void raw_table(const char* key, nlohmann::json& value, const char* meaning);
+  // Of files that are no settings: nothing where the key is missing or null.
+  void optional_number(const char* key, std::optional<double>& value, Range range, const char* meaning);
+  void named_numbers(const char* key, std::map<std::string, double>& value, Range range, const char* meaning);
 
   template <class S>
   void table(const char* key, S& value, const char* meaning) {
@@ -79,12 +85,31 @@ class SettingsReader {
       read_table((*found)[i], pointer_ + "/" + key + "/" + std::to_string(i), value[i], meaning);
   }
 
-  // Complains about keys that the description does not know, then about those it misses.
-  void finish() const;
+  template <class S>
+  void named_tables(const char* key, std::map<std::string, S>& value, const char* meaning) {
+    const nlohmann::json* found = find_table(key, meaning);
+    value.clear();
+    if (found)
+      for (const auto& [name, table] : found->items())
+        read_table(table, pointer_ + "/" + key + "/" + name, value[name], meaning);
+  }
+
+  // All of the table.
+  template <class S>
+  S whole() {
+    require_table(table_, pointer_, "the whole of it");
+    S value{};
+    describe(*this, value);
+    finish();
+    return value;
+  }
 
  private:
+  // Complains about keys that the description does not know, then about those it misses.
+  void finish() const;
   const nlohmann::json* find(const char* key, const char* meaning);
   const nlohmann::json* find_list(const char* key, const char* meaning);
+  const nlohmann::json* find_table(const char* key, const char* meaning);
   void require_table(const nlohmann::json& found, const std::string& pointer, const char* meaning) const;
   template <class T>
   T checked_number(const nlohmann::json& found, const std::string& pointer, Range range,
@@ -99,9 +124,7 @@ class SettingsReader {
   template <class S>
   void read_table(const nlohmann::json& found, const std::string& pointer, S& value, const char* meaning) {
     require_table(found, pointer, meaning);
-    SettingsReader reader(source_, found, pointer);
-    describe(reader, value);
-    reader.finish();
+    value = SettingsReader(source_, found, pointer).whole<S>();
   }
 
   const SettingsSource& source_;
@@ -128,6 +151,9 @@ class SettingsWriter {
     table_[key] = value;
   }
   void texts(const char* key, std::vector<std::string>& value, const char*) { table_[key] = value; }
+  void named_texts(const char* key, std::map<std::string, std::string>& value, const char*) {
+    table_[key] = value;
+  }
   void raw_table(const char* key, nlohmann::json& value, const char*) { table_[key] = value; }
   template <class S>
   void table(const char* key, S& value, const char*) {
@@ -153,11 +179,7 @@ class SettingsWriter {
 // `where` leads the errors: the file or artifact the settings come from.
 template <class S>
 S settings_from_source(const SettingsSource& source) {
-  S settings{};
-  SettingsReader reader(source, source.values, "");
-  describe(reader, settings);
-  reader.finish();
-  return settings;
+  return SettingsReader(source, source.values, "").template whole<S>();
 }
 
 template <class S>

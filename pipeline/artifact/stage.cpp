@@ -1,9 +1,9 @@
 #include "pipeline/artifact/stage.h"
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 
 #include "pipeline/artifact/content.h"
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/program.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/record.h"
@@ -42,46 +42,33 @@ StageRun::StageRun(const std::filesystem::path& slice, std::filesystem::path roo
       root_(std::move(root)),
       output_(std::move(output)),
       checkpoint_(std::move(checkpoint)),
-      threads_(threads) {
-  std::ifstream stream(slice);
-  if (!stream) throw InputError("{}: can't read this slice", slice.string());
-  try {
-    const nlohmann::json all = nlohmann::json::parse(stream);
-    stage_ = all.at("stage").get<std::string>();
-    name_ = all.at("name").get<std::string>();
-    settings_ = all.at("settings");
-    inputs_ = all.at("inputs");
-    if (!settings_.is_object() || !inputs_.is_object())
-      throw InputError("{}: expected tables as \"settings\" and \"inputs\"", slice.string());
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError("{}: not a slice: {}", slice.string(), error.what());
-  }
-  progress_ = std::make_unique<Progress>(name_);
-}
+      told_(slice_from_json(read_json(slice), slice.string())),
+      threads_(threads),
+      progress_(std::make_unique<Progress>(told_.name)) {}
 
 StageRun::~StageRun() = default;
 
-bool StageRun::has_input(const std::string& name) const { return inputs_.contains(name); }
+bool StageRun::has_input(const std::string& name) const { return told_.inputs.contains(name); }
 
 std::filesystem::path StageRun::input(const std::string& name) const {
   if (!has_input(name))
     throw InputError("{}: no input '{}'{}", slice_.string(), name, did_you_mean(name, inputs()));
-  std::filesystem::path path = root_ / inputs_.at(name).get<std::string>();
+  std::filesystem::path path = root_ / told_.inputs.at(name);
   if (!std::filesystem::exists(path))
-    throw InputError("{}: missing, the input '{}' of {}", path.string(), name, name_);
+    throw InputError("{}: missing, the input '{}' of {}", path.string(), name, told_.name);
   return path;
 }
 
 std::vector<std::string> StageRun::inputs() const {
   std::vector<std::string> names;
-  for (const auto& [name, path] : inputs_.items()) names.push_back(name);
+  for (const auto& [name, path] : told_.inputs) names.push_back(name);
   return names;
 }
 
 void StageRun::write_settings(Hdf5Writer& file) const {
-  file.attribute("stage", stage_);
-  file.attribute("settings", settings_.dump());
-  write_values(file, "settings", settings_);
+  file.attribute("stage", told_.stage);
+  file.attribute("settings", told_.settings.dump());
+  write_values(file, "settings", told_.settings);
 }
 
 void StageRun::progress(std::int64_t done, std::int64_t total, const char* unit) {

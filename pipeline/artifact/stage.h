@@ -23,6 +23,7 @@
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/settings.h"
+#include "pipeline/artifact/slice.h"
 
 namespace hbr {
 
@@ -35,13 +36,13 @@ class StageRun {
            std::filesystem::path checkpoint, int threads);
   ~StageRun();
 
-  const std::string& stage() const { return stage_; }  // the program's task: "layer2_n10"
-  const std::string& name() const { return name_; }    // this instance: "layer2_n10/03"
-  const nlohmann::json& settings() const { return settings_; }
+  const std::string& stage() const { return told_.stage; }  // the program's task: "layer2_n10"
+  const std::string& name() const { return told_.name; }    // this instance: "layer2_n10/03"
+  const nlohmann::json& settings() const { return told_.settings; }
   // The settings as a struct described as in settings.h.
   template <class S>
   S settings_as() const {
-    return settings_from_json<S>(settings_, slice_.string());
+    return settings_from_json<S>(told_.settings, slice_.string());
   }
   // Keeps them as attributes of the artifact: `stage`, `settings` (JSON), and each value as `settings.` and
   // its dotted name.
@@ -65,8 +66,7 @@ class StageRun {
 
  private:
   std::filesystem::path slice_, root_, output_, checkpoint_;
-  std::string stage_, name_;
-  nlohmann::json settings_, inputs_;
+  Slice told_;
   int threads_;
   std::unique_ptr<Progress> progress_;
 };

@@ -78,24 +78,14 @@ Audit audit(const Workspace& workspace, const Graph& graph) {
   int checked = 0, missing = 0;
   std::uint64_t bytes = 0;
   for (const Node& node : graph) {
-    const std::filesystem::path artifact = workspace.out / node.output;
-    if (!std::filesystem::exists(artifact)) {
+    const Found artifact = look_at(workspace, node, Compare::by_content);
+    const std::string place = (workspace.out / node.output).string();
+    checked += artifact.bytes.has_value();
+    bytes += artifact.bytes.value_or(0);
+    if (artifact.state == State::missing)
       ++missing;
-      continue;
-    }
-    const std::optional<Manifest> manifest = read_manifest(manifest_path(workspace.out, node));
-    if (!manifest) {
-      found.problems.push_back(fmt::format("{}: its manifest is missing or damaged", artifact.string()));
-      continue;
-    }
-    const Content content = content_of(artifact);
-    ++checked;
-    bytes += content.bytes;
-    if (manifest->made_from.key() != manifest->key)
-      found.problems.push_back(fmt::format("{}: its manifest contradicts itself", artifact.string()));
-    if (content.sha256 != manifest->content.sha256)
-      found.problems.push_back(fmt::format("{}: damaged: expected sha256 {}, found {}", artifact.string(),
-                                           manifest->content.sha256, content.sha256));
+    else if (artifact.state != State::fresh)
+      found.problems.push_back(fmt::format("{}: {}; make makes it again", place, artifact.why));
   }
   found.summary = fmt::format("{}: {} artifacts read again ({:.1f} MB), {} missing, {} not as they should be",
                               workspace.out.string(), checked, 1e-6 * static_cast<double>(bytes), missing,

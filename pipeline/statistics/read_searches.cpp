@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/curves.h"
@@ -21,7 +22,7 @@ struct Search {
 void add_executions(const Hdf5Reader& file, const std::string& prefix, double evaluations,
                     StatisticsTable& table) {
   if (!file.has_attribute("settings")) return;
-  const auto settings = nlohmann::json::parse(file.text_attribute("settings"), nullptr, false);
+  const auto settings = parse_json(file.text_attribute("settings"), file.path().string() + ": settings");
   if (!settings.is_object() || !settings.contains("samples") || !settings["samples"].is_number()) return;
   table.number(prefix + ".executions", evaluations * settings["samples"].get<double>());
 }

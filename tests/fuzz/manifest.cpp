@@ -20,7 +20,8 @@ std::vector<std::string> examples() {
   for (const char* name : {"program", "source", "artifact.h5"}) written(name, name);
   const Freshness is = freshness_of(workspace(), {kNode})[0];
   const std::filesystem::path artifact = folder() / kNode.output, path = manifest_path(folder(), kNode);
-  write_manifest(path, {is.ingredients, is.key, content_of(artifact), sign_of(artifact), {{"seconds", 1.5}}});
+  write_manifest(path,
+                 {is.ingredients, {}, is.key, content_of(artifact), sign_of(artifact), {{"seconds", 1.5}}});
   return {content_of_file(path)};
 }
 

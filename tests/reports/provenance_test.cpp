@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 void manifest(const fs::path& out, const Node& node, double seconds) {
   Manifest m;
   m.made_from.slice = slice_of(node);
+  for (const auto& [name, output] : node.inputs) m.made_from.inputs[name] = "its hash";
+  m.key = m.made_from.key();
   m.run = {{"seconds", seconds},    {"cpu_seconds", 2 * seconds}, {"peak_memory_bytes", 5e6},
            {"version", "v1-dirty"}, {"compiler", "GCC 12"},       {"host", "<box>"}};
   fs::create_directories(manifest_path(out, node).parent_path());
@@ -52,10 +54,26 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
             {},
             "short"},
            7);
+  manifest(out,
+           {"report",
+            "report",
+            -1,
+            "page",
+            nlohmann::json::object(),
+            {{"a", "layer1/01.h5"}, {"b", "layer2_n10/00.h5"}, {"c", "short/layer2_n10/00.h5"}},
+            {}},
+           1);
   fs::create_directories(out / "page/figures");
   std::ofstream(out / "page/index.html") << "a<!-- provenance -->b";
   std::ofstream(out / "page/figures/x.csv") << "1";
-  for (int again = 0; again < 2; ++again) publish_report(out / "page", out, out / "report");
+  publish_report(out / "page", out, out / "report");
+  // Again, there is nothing to write; what somebody changed is put right.
+  const std::string sign = sign_of(out / "report");
+  publish_report(out / "page", out, out / "report");
+  EXPECT_EQ(sign_of(out / "report"), sign);
+  write_file(out / "report/more.txt", "x");
+  publish_report(out / "page", out, out / "report");
+  EXPECT_FALSE(fs::exists(out / "report/more.txt"));
   std::ifstream file(out / "report/index.html");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   EXPECT_THAT(page, HasSubstr("<td><code>layer1</code></td><td>2</td><td>1:00"));
@@ -71,7 +89,11 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
 TEST(Provenance, RefusesAPageWithoutAPlace) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { publish_report(folder.path() / "page", folder.path(), folder.path() / "report"); },
-              ThrowsMessage<InputError>(HasSubstr("index.html is missing or has no place")));
+              ThrowsMessage<InputError>(HasSubstr("index.html: can't read: No such file")));
+  fs::create_directories(folder.path() / "page");
+  write_file(folder.path() / "page/index.html", "a page");
+  EXPECT_THAT([&] { publish_report(folder.path() / "page", folder.path(), folder.path() / "report"); },
+              ThrowsMessage<InputError>(HasSubstr("index.html has no place for the provenance")));
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 
 #include <fstream>
 
+#include "pipeline/artifact/content.h"
 #include "pipeline/core/check.h"
+#include "tests/support/damaged_json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -102,15 +104,32 @@ TEST_F(Speed, SaysWhatIsMissing) {
   EXPECT_THAT(failure([&] { condensed({results("x.json", json::array({without}))}, false); }),
               HasSubstr("'fast/10' has no counter 'mean_fitness'"));
   EXPECT_THAT(failure([&] { condensed({folder_.path() / "none.json"}, false); }),
-              HasSubstr("none.json is missing or not what Google Benchmark writes"));
+              HasSubstr("none.json: can't read: No such file"));
   EXPECT_THAT(failure([] { speed_html({{"rows", 3}}); }), HasSubstr("not as described"));
   EXPECT_THAT(speed_html(json()), HasSubstr("No benchmarks are kept"));
 }
 
+TEST_F(Speed, ResultsAndTheKeptTableAreReadStrictly) {
+  const auto file = results("one.json", {repetition("fast/10", 1000), repetition("slow", 125)});
+  const json speed = condensed({file}, false);
+  for (const auto& [what, text] : damages_of(read_whole(file))) {
+    write_file(file, text);
+    EXPECT_THAT(failure([&] { condensed({file}, false); }), Not(HasSubstr("\n"))) << what;
+  }
+  const auto all = damages_of(speed.dump(1));
+  std::size_t refusals = 0;
+  for (const auto& [what, text] : all) {
+    write_file(file, text);
+    const std::string told = failure([&] { speed_html(read_speed(file)); });
+    EXPECT_THAT(told, Not(HasSubstr("\n"))) << what;
+    refusals += told.starts_with(file.string() + ": ");
+  }
+  EXPECT_GT(refusals, all.size() / 2);
+}
+
 // What is kept with the sources is whole, and what the list of benchmarks asks for.
 TEST(KeptSpeed, HoldsTheTable) {
-  std::ifstream file(std::string(HBR_SOURCE_DIR) + "/reports/reference/bench.json");
-  const json kept = json::parse(file);
+  const json kept = read_speed(std::string(HBR_SOURCE_DIR) + "/reports/reference/bench.json");
   EXPECT_THAT(speed_markdown(kept), HasSubstr("layer 1, whole run of 10 000 x 200; elites"));
   std::ifstream rows(std::string(HBR_SOURCE_DIR) + "/tests/benchmarks.toml");
   std::size_t listed = 0;

@@ -10,6 +10,8 @@
 
 #include "pipeline/artifact/freshness.h"
 #include "pipeline/core/check.h"
+#include "pipeline/statistics/summary.h"
+#include "tests/support/damaged_json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -21,6 +23,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 const json kToolchain = {{"compiler", "GCC 12"},
                          {"flags", "-O3"},
@@ -31,7 +34,14 @@ const json kToolchain = {{"compiler", "GCC 12"},
 json quantity(const std::string& unit, const std::vector<double>& values) {
   json replications = json::array();
   for (std::size_t i = 0; i < values.size(); ++i) replications.push_back(i);
-  return {{"unit", unit}, {"values", values}, {"replications", replications}};
+  const Summary s = summarise(values, "");
+  return {{"unit", unit},       {"meaning", "what it is"}, {"values", values}, {"replications", replications},
+          {"n", values.size()}, {"median", s.median},      {"q1", s.q1},       {"q3", s.q3},
+          {"min", s.minimum},   {"max", s.maximum}};
+}
+
+json number(const std::string& unit, double value) {
+  return {{"unit", unit}, {"meaning", "what it is"}, {"value", value}};
 }
 
 std::vector<double> normal(int n, double mean, unsigned seed) {
@@ -52,9 +62,12 @@ KeptRun kept() {
                           {"layer3.n10.evaluations", quantity("evaluations", std::vector<double>(50, 2e6))},
                           {"accuracy.n10", quantity("m^2", normal(50, 9, 2))}}},
                         {"numbers",
-                         {{"layer3.n10.generations", {{"unit", "generations"}, {"value", 10000}}},
-                          {"judge.test_accuracy", {{"unit", ""}, {"value", 0.99}}},
-                          {"pooled.layer2_size", {{"unit", "elites"}, {"value", 1400}}}}}};
+                         {{"layer3.n10.generations", number("generations", 10000)},
+                          {"judge.test_accuracy", number("", 0.99)},
+                          {"pooled.layer2_size", number("elites", 1400)}}},
+                        {"profile", "paper"},
+                        {"tests", json::object()},
+                        {"boxes", json::object()}};
   run.claims = json::parse(
       R"([{"id": "a", "paper": "2", "ours": "2.1", "verdict": "reproduced", "indication": "reproduced"},
           {"id": "b", "paper": "1", "ours": "–", "verdict": "not at this size", "indication": "partly"},
@@ -218,7 +231,8 @@ class KeptRuns : public testing::Test {
     std::ofstream(made("layer1/00.h5")) << "bytes";
     manifest("layer1/00.h5", {});
     std::ofstream(made("statistics.json"))
-        << R"({"profile": "p", "quantities": {}, "numbers": {}, "curves": {"x": 1}})";
+        << R"({"profile": "p", "quantities": {}, "numbers": {}, "tests": {}, "boxes": {},
+               "curves": {"layer1": {"x": "generation", "at": [], "n": 1}}})";
     manifest("statistics.json", {"layer1/00.h5"});
     fs::create_directories(out() / "page");
     std::ofstream(out() / "page/claims.json")
@@ -240,6 +254,7 @@ class KeptRuns : public testing::Test {
       m.made_from.inputs[input] = content_of(out() / input).sha256;
     }
     m.made_from.slice = slice_of(node);
+    m.key = m.made_from.key();
     m.content = content_of(out() / output);
     m.sign = sign_of(out() / output);
     m.run = kToolchain;
@@ -279,20 +294,61 @@ TEST_F(KeptRuns, ComeBackAsTheyWere) {
   write_kept(kept(), folder_.path() / "kept");
   EXPECT_EQ(read_kept(folder_.path() / "kept").statistics.size(), 1u);  // the variation's is gone
   EXPECT_THROW(read_kept(folder_.path() / "none"), InputError);
+  // Damaged in any place it is refused in one line, or can be compared.
+  for (const char* name : {"origin.json", "claims.json", "statistics.json"}) {
+    const fs::path file = folder_.path() / "kept" / name;
+    const std::string good = read_whole(file);
+    std::size_t refusals = 0;
+    const std::vector<Damage> all = damages_of(good);
+    for (const auto& [what, text] : all) {
+      write_file(file, text);
+      try {
+        verify(read_kept(folder_.path() / "kept"), kept());
+      } catch (const InputError& error) {
+        ++refusals;
+        EXPECT_THAT(error.what(), testing::StartsWith(file.string())) << what;
+        EXPECT_THAT(error.what(), Not(HasSubstr("\n"))) << what;
+      }
+    }
+    EXPECT_GT(refusals, all.size() / 2) << name;
+    write_file(file, good);
+  }
   fs::remove(folder_.path() / "kept/claims.json");
   EXPECT_THROW(read_kept(folder_.path() / "kept"), InputError);
 }
 
+TEST_F(KeptRuns, AreReadStrictly) {
+  for (const char* name : {"page.json", "layer1/00.json", "statistics.json", "page/claims.json"}) {
+    const fs::path file = out() / name;
+    const std::string good = read_whole(file);
+    const bool is_manifest =
+        name != std::string("statistics.json") && name != std::string("page/claims.json");
+    for (const auto& [what, text] : damages_of(good)) {
+      write_file(file, text);
+      const std::string told = complaint();
+      EXPECT_THAT(told, Not(HasSubstr("\n"))) << what;
+      if (is_manifest && what != " lacks seal") {
+        EXPECT_THAT(told, testing::StartsWith(file.string() + ": ")) << what;
+        EXPECT_THAT(told, HasSubstr("; `make all` of the profile makes ")) << what;
+      } else if (!is_manifest) {
+        EXPECT_THAT(told, HasSubstr(": damaged: expected sha256")) << what;
+      }
+    }
+    write_file(file, good);
+  }
+}
+
 TEST_F(KeptRuns, MustBeFinishedAndOfOnePiece) {
   std::ofstream(made("layer1/00.h5")) << "others";
-  EXPECT_THAT(complaint(), HasSubstr("layer1/00.h5 is missing or damaged"));
+  EXPECT_THAT(complaint(), HasSubstr("layer1/00.h5: damaged: expected sha256"));
   manifest("layer1/00.h5", {});
   EXPECT_THAT(complaint(), HasSubstr("was made from another layer1/00.h5 than is there now"));
   manifest("statistics.json", {"layer1/00.h5"});
   manifest("page", {"layer1/00.h5", "statistics.json"});
   EXPECT_EQ(complaint(), "no complaint");
   fs::remove(out() / "statistics.json.json");
-  EXPECT_THAT(complaint(), HasSubstr("statistics.json is missing or damaged"));
+  EXPECT_THAT(complaint(),
+              HasSubstr("statistics.json.json: can't read: No such file or directory; `make all`"));
   fs::remove(out() / "page.json");
   EXPECT_THAT(complaint(), HasSubstr("holds no finished run"));
 }

@@ -172,10 +172,12 @@ TEST_F(Hdf5File, AFullDiskIsOneClearLine) {
   const std::string limited = complaint([&] { write_example(file("a.h5"), 1000); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(limited, file("a.h5").string() + ": can't write this file: File too large");
+  EXPECT_EQ(limited,
+            file("a.h5").string() +
+                ": can't write: File too large; a limit on the size of files is set (ulimit -f): raise it");
   if (fs::exists("/dev/full")) {
     EXPECT_EQ(complaint([&] { write_example("/dev/full", 1000); }),
-              "/dev/full: can't write this file: No space left on device");
+              "/dev/full: can't write: No space left on device; make room, or use a place on another disk");
   }
 }
 

@@ -78,8 +78,8 @@ TEST(RunRecord, IsReadAsItWasWrittenAndNothingElseIs) {
     }
     return "accepted";
   };
-  EXPECT_THAT(message(""), HasSubstr("not the record of a run"));
-  EXPECT_THAT(message(all.dump().substr(0, 40)), HasSubstr("not the record of a run"));
+  EXPECT_THAT(message(""), HasSubstr("record: not JSON: "));
+  EXPECT_THAT(message(all.dump().substr(0, 40)), HasSubstr("record: not JSON: "));
   all["cpu_seconds"] = "many";
   EXPECT_THAT(message(all.dump()), HasSubstr("cpu_seconds"));
   all.erase("cpu_seconds");

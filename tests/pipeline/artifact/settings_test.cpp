@@ -158,7 +158,7 @@ TEST_F(Settings, ErrorsSayWhereWhatAndHow) {
   EXPECT_EQ(complaint("strict = true", "strict = 1"),
             ":3:10: strict: expected true or false (a flag), found 1");
   EXPECT_EQ(complaint("strict = true", "strict = 1979-05-27"),
-            ":3:10: strict: expected true or false (a flag), found a date or time");
+            ":3:10: strict: expected true or false (a flag), found nothing, a date or a time");
   EXPECT_THAT(complaint("seed = 9007199254740993", "seed = -1"),
               HasSubstr(":1:8: seed: expected a whole number"));
   EXPECT_THAT(complaint("[1, 10]", "[1, 101]"),

@@ -94,9 +94,9 @@ TEST_F(Stage, FailuresAreOneLineAndACode) {
   slice("{");
   EXPECT_EQ(main(nothing).first, 2);
   slice("{}");
-  EXPECT_THAT(main(nothing).second, HasSubstr("not a slice"));
+  EXPECT_THAT(main(nothing).second, HasSubstr("slice.json: missing key 'stage'"));
   fs::remove(folder_ / "slice.json");
-  EXPECT_THAT(main(nothing).second, HasSubstr("can't read this slice"));
+  EXPECT_THAT(main(nothing).second, HasSubstr("slice.json: can't read: No such file"));
 }
 
 TEST(StageCommandLine, AsksForWhatIsMissing) {
