@@ -7,9 +7,21 @@ SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DEFAULT_GOAL := help
 
+# What a user gives is a text: no $ in it is make's, and recipes find it in their environment, where no quote in it is
+# the shell's.
+given := PROFILE OUT BUILD THREADS LAUNCH DEPS REP BENCH URDF MESHES POSE MNIST_DIR
+$(foreach name,$(given),$(if $(filter-out undefined default,$(origin $(name))),\
+  $(eval override $(name) := $$(value $(name)))))
+
+empty :=
+space := $(empty) $(empty)
+define newline
+
+
+endef
 PROFILE ?= paper
-profile_file := $(if $(filter %.toml,$(PROFILE)),$(PROFILE),stages/profiles/$(PROFILE).toml)
-OUT ?= out/$(basename $(notdir $(PROFILE)))
+# Its file's name, without folder and ending; a space in it is no end of a word.
+OUT ?= out/$(subst <space>,$(space),$(patsubst %.toml,%,$(notdir $(subst $(space),<space>,$(PROFILE)))))
 BUILD ?= build
 HBR_ARCH ?= native
 WERROR ?=
@@ -28,7 +40,7 @@ READER ?=
 FILES ?= pipeline models
 COUNT ?= 60
 SEED ?= 1
-export MNIST_DIR
+export $(given)
 
 targets := help deps build data all test bench sanitize fuzz mutate coverage format check-format status audit graph reference \
   verify robot install check-targets check-releases check-bytes clean distclean
@@ -37,9 +49,21 @@ stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
 dry := $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
 
+# What can't be handed on as it is meant is refused here, in one line.
+odd := ' " ` $$ ; & | < > { } [ ] * ? ! \ ~ : % = \# ( ) ,
+refuse_if = $(if $(1),$(error $(2)))
+$(foreach letter,$(odd),$(call refuse_if,$(findstring $(letter),$(stages)),no stage has a $(letter) in its name: '$(stages)'))
+$(foreach letter,$(odd),$(call refuse_if,$(findstring $(letter),$(BUILD)),BUILD is '$(BUILD)': the build folder may have no $(letter) in its path))
+$(call refuse_if,$(word 2,$(BUILD)),BUILD is '$(BUILD)': the build folder may have no space in its path)
+$(foreach name,PROFILE OUT URDF MESHES MNIST_DIR,\
+  $(call refuse_if,$(findstring $(newline),$($(name))),$(name) has a line break in it)\
+  $(call refuse_if,$(filter -%,$(firstword $($(name)))),$(name) is '$($(name))': write ./$($(name)))\
+  $(call refuse_if,$(filter ~%,$(firstword $($(name)))),$(name) is '$($(name))': the shell did not replace the ~; write $$HOME))
+$(foreach name,PROFILE OUT BUILD,$(call refuse_if,$(if $(strip $($(name))),,empty),$(name) is empty))
+
 programs := $(BUILD)/release/bin
-arguments := --profile '$(profile_file)' --out '$(OUT)' --threads '$(THREADS)' --launch '$(LAUNCH)' \
-  $(if $(REP),--replication '$(REP)')
+arguments := --profile "$$PROFILE" --out "$$OUT" --threads "$$THREADS" --launch "$$LAUNCH" \
+  $(if $(REP),--replication "$$REP")
 
 .PHONY: $(targets) $(stages) experiment
 
@@ -69,24 +93,23 @@ help:
 	@echo 'make clean           remove BUILD; distclean: out/ and .cache/ (downloads), too'
 	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
-	@echo 'PROFILE=$(PROFILE)   one of: $(basename $(notdir $(wildcard stages/profiles/*.toml))); or a file.toml'
-	@echo 'OUT=$(OUT)   where artifacts go'
-	@echo 'BUILD=$(BUILD)   where programs are built; with OUT elsewhere, too, the sources may be read-only'
+	@echo "PROFILE=$$PROFILE"'   one of: $(basename $(notdir $(wildcard stages/profiles/*.toml))); or a file.toml'
+	@echo "OUT=$$OUT"'   where artifacts go'
+	@echo "BUILD=$$BUILD"'   where programs are built; with OUT elsewhere, too, the sources may be read-only'
 	@echo 'HBR_ARCH=$(HBR_ARCH)   processors to build for (-march): this one, or x86-64-v3 and so on; CXX=clang++: another compiler'
 	@echo 'WERROR=$(WERROR)   1: a warning stops the build, as CI has it'
-	@echo 'THREADS=$(THREADS)   threads of one stage program; 0: the processors, shared among the N of -jN'
-	@echo 'LAUNCH=$(LAUNCH)   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt"'
-	@echo 'MNIST_DIR=$(MNIST_DIR)   folder of the four MNIST files; without it they are downloaded'
-	@echo 'DEPS=$(DEPS)   auto: install missing packages; manual: tell the command and stop; none: do not look'
+	@echo "THREADS=$$THREADS"'   threads of one stage program; 0: the processors, shared among the N of -jN'
+	@echo "LAUNCH=$$LAUNCH"'   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt"'
+	@echo "MNIST_DIR=$$MNIST_DIR"'   folder of the four MNIST files; without it they are downloaded'
+	@echo "DEPS=$$DEPS"'   auto: install missing packages; manual: tell the command and stop; none: do not look'
 
 # Set-up and build -----------------------------------------------------------------------------------------------
 
-$(if $(word 2,$(BUILD)),$(error BUILD is $(BUILD): the build folder may have no space in its path))
 packages := $(BUILD)/.packages
 deps: $(packages)
 # Looked at again when the list or what is installed changes.
 $(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
-	@.ci/packages '$(DEPS)'
+	@.ci/packages "$$DEPS"
 	@mkdir -p '$(BUILD)' && touch $@
 
 # settings(preset): what a build folder is made for; it keeps them. Others (the checkout moved, HBR_ARCH changed)
@@ -113,18 +136,23 @@ $(foreach preset,release sanitize sanitize-thread fuzz coverage,$(eval $(call co
 idle := ^ninja: (no work|Entering)|Re-checking globbed
 compile = cmake --build $(BUILD)/$(1) --target $(2) | { grep --line-buffered -vE '$(idle)' || true; }
 
-build: $(packages) $(BUILD)/release/build.ninja
-	@$(call compile,release,programs)
+# Programs in a folder that this user can't write are used as they are.
+frozen := $(if $(wildcard $(programs)/hbr),$(shell [ -w $(BUILD)/release ] || echo yes))
+ready := $(if $(frozen),,$(packages) $(BUILD)/release/build.ninja)
+made_ready = $(if $(frozen),echo 'the programs in $(BUILD) are used as they are: you can not write there' >&2,\
+  $(call compile,release,$(1)))
+build: $(ready)
+	@$(call made_ready,programs)
 
 # The experiment -------------------------------------------------------------------------------------------------
 
 # The page is an artifact; the report is the page with the times, hosts and versions of the manifests.
 all $(stages): experiment
-	@[ ! -e '$(OUT)/page.json' ] || [ '$(OUT)/report/index.html' -nt '$(OUT)/page.json' ] || \
-	  $(programs)/publish '$(OUT)/page' '$(OUT)' '$(OUT)/report'
+	@[ ! -e "$$OUT/page.json" ] || $(if $(filter all,$@),,[ "$$OUT/report/index.html" -nt "$$OUT/page.json" ] ||) \
+	  $(programs)/publish "$$OUT/page" "$$OUT" "$$OUT/report"
 
 data: $(packages)
-	@DEPS='$(DEPS)' pipeline/fetch_mnist.sh $(mnist)
+	@pipeline/fetch_mnist.sh $(mnist)
 
 # MNIST is fetched where the profile asks for it and it is not there. The + hands over make's jobs, and lets
 # `make -n` list what would run.
@@ -132,24 +160,25 @@ mnist := .cache/mnist
 experiment: build
 	+@$(if $(dry),[ -x $(programs)/hbr ] || { echo '# then all that the profile asks for: nothing is built yet'; exit 0; };) \
 	  missing=$$($(programs)/hbr missing $(arguments) $(goals)); \
-	  case $$missing in *"/$(mnist)/"* $(if $(MNIST_DIR),| *'$(MNIST_DIR)/'*)) \
-	    $(if $(dry),echo '# MNIST is fetched first',DEPS='$(DEPS)' pipeline/fetch_mnist.sh $(mnist));; esac; \
+	  case $$missing in *"/$(mnist)/"* $(if $(MNIST_DIR),| *"$$MNIST_DIR/"*)) \
+	    $(if $(dry),echo '# MNIST is fetched first',pipeline/fetch_mnist.sh $(mnist));; esac; \
 	  exec $(programs)/hbr $(if $(dry),plan,make --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
 
 status audit: build
 	@$(programs)/hbr $@ $(arguments)
 
+# Of a run that can only be read it goes elsewhere.
 graph: build
-	@mkdir -p '$(OUT)'
-	@$(programs)/hbr graph $(arguments) | dot -Tsvg >'$(OUT)/graph.svg'
-	@echo '$(OUT)/graph.svg'
+	@dot=$$($(programs)/hbr graph $(arguments)); \
+	  mkdir -p "$$OUT" 2>/dev/null && [ -w "$$OUT" ] && place=$$OUT/graph.svg || place=$$(mktemp --suffix=.svg); \
+	  dot -Tsvg <<<"$$dot" >"$$place"; printf '%s\n' "$$place"
 
 # reports/reference/NAME: what a finished run found, in a few small files.
 reference: build
-	@$(programs)/reference keep '$(OUT)' reports/reference
+	@$(programs)/reference keep "$$OUT" reports/reference
 
 verify: build
-	@$(programs)/reference verify '$(OUT)' reports/reference
+	@$(programs)/reference verify "$$OUT" reports/reference
 
 # The search and the layers for other programs: find_package(hbr), see pipeline/hbrConfig.cmake.in.
 PREFIX ?= /usr/local
@@ -158,9 +187,12 @@ install: $(packages) $(BUILD)/release/build.ninja
 	@cmake --install $(BUILD)/release --prefix '$(PREFIX)'
 
 # Any robot, before it has a place in a profile.
-robot: $(packages) $(BUILD)/release/build.ninja
-	@$(call compile,release,robot)
-	@$(programs)/robot '$(URDF)' '$(if $(filter file,$(origin OUT)),out/robot,$(OUT))' '$(MESHES)' $(POSE)
+ifeq ($(origin OUT),file)
+robot: OUT := out/robot
+endif
+robot: $(ready)
+	@$(call made_ready,robot)
+	@set -f; $(programs)/robot "$$URDF" "$$OUT" "$$MESHES" $$POSE
 
 # Tests and checks -----------------------------------------------------------------------------------------------
 
@@ -171,7 +203,6 @@ test: $(packages) $(BUILD)/release/build.ninja
 	$(call run_tests,release,all)
 
 sanitized := $(or $(if $(filter address,$(SANITIZER)),sanitize),$(if $(filter thread,$(SANITIZER)),sanitize-thread))
-empty :=
 sanitize: $(packages) $(if $(sanitized),$(BUILD)/$(sanitized)/build.ninja)
 	@[ -n '$(sanitized)' ] || { echo "SANITIZER is '$(SANITIZER)'; expected address or thread" >&2; exit 2; }
 	$(call run_tests,$(sanitized),$(if $(TESTS),$(addprefix test_,$(subst /,_,$(TESTS))),tests), \
@@ -184,20 +215,20 @@ fuzz: $(BUILD)/fuzz/build.ninja
 
 .PHONY: fuzz-packages
 fuzz-packages:
-	@.ci/packages '$(DEPS)' fuzz
+	@.ci/packages "$$DEPS" fuzz
 $(BUILD)/fuzz/build.ninja: | fuzz-packages
 
 mutate: $(packages)
-	@.ci/packages '$(DEPS)' mutate
+	@.ci/packages "$$DEPS" mutate
 	@python3 tests/mutation/mutate.py --place $(BUILD)/mutate --seed '$(SEED)' --count '$(COUNT)' $(FILES)
 
 coverage: $(packages) $(BUILD)/coverage/build.ninja
-	@.ci/packages '$(DEPS)' coverage
+	@.ci/packages "$$DEPS" coverage
 	@find $(BUILD)/coverage -name '*.gcda' -delete
 	$(call run_tests,coverage,tests)
 	@lcov --quiet --capture --directory $(BUILD)/coverage --output-file $(BUILD)/coverage/all.info
-	@lcov --quiet --extract $(BUILD)/coverage/all.info '$(CURDIR)/pipeline/*' '$(CURDIR)/models/*' '$(CURDIR)/reports/*' \
-	  '$(CURDIR)/stages/*' --output-file $(BUILD)/coverage/own.info
+	@lcov --quiet --extract $(BUILD)/coverage/all.info "$$PWD/pipeline/*" "$$PWD/models/*" "$$PWD/reports/*" \
+	  "$$PWD/stages/*" --output-file $(BUILD)/coverage/own.info
 	@genhtml --quiet --output-directory $(BUILD)/coverage/html $(BUILD)/coverage/own.info
 	@lcov --summary $(BUILD)/coverage/own.info
 
@@ -207,38 +238,38 @@ bench: $(packages) $(BUILD)/release/build.ninja
 	@rm -rf $(BUILD)/bench && mkdir -p $(BUILD)/bench
 	@for bench in $(programs)/bench_*; do \
 	  results=$(BUILD)/bench/$${bench##*/bench_}; \
-	  "$$bench" --benchmark_filter='$(or $(BENCH),.)' --benchmark_repetitions=3 --benchmark_min_time=0.2 \
+	  "$$bench" --benchmark_filter="$${BENCH:-.}" --benchmark_repetitions=3 --benchmark_min_time=0.2 \
 	    --benchmark_display_aggregates_only --benchmark_out=$$results.json >$$results.txt 2>&1 || { cat $$results.txt; exit 1; }; \
 	  [ -s $$results.json ] || rm $$results.json; \
 	done
-	@ls $(BUILD)/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$(BENCH)'" >&2; exit 2; }
+	@ls $(BUILD)/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$$BENCH'" >&2; exit 2; }
 	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' $(BUILD)/bench/*.json
 
 # Compiles everything for other processors, by both compilers, warnings being errors; links and runs nothing.
 COMPILERS ?= g++ clang++
 TARGETS ?= x86-64 x86-64-v2 x86-64-v3 x86-64-v4 haswell sapphirerapids znver2 znver3 native
 check-targets: $(packages)
-	@.ci/packages '$(DEPS)' check-targets
+	@.ci/packages "$$DEPS" check-targets
 	@.ci/targets '$(BUILD)/targets' '$(COMPILERS)' '$(TARGETS)'
 
 # The README's commands and all tests on a bare machine of each Debian release, as root.
 RELEASES ?= bookworm trixie
 check-releases:
-	@.ci/packages '$(DEPS)' check-releases
+	@.ci/packages "$$DEPS" check-releases
 	@for release in $(RELEASES); do tests/releases/try.sh "$$release" '$(BUILD)/releases'; done
 
 # The layers of the reduced profile, built by each compiler for each of these: all the same bytes?
 SAME ?= x86-64 x86-64-v3 native
 check-bytes: build
-	@.ci/packages '$(DEPS)' check-targets
+	@.ci/packages "$$DEPS" check-targets
 	@tests/releases/bytes.sh '$(BUILD)/bytes' $(programs)/hbr '$(COMPILERS)' '$(SAME)'
 
 format:
-	@.ci/packages '$(DEPS)' format
+	@.ci/packages "$$DEPS" format
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
 
 check-format:
-	@.ci/packages '$(DEPS)' format
+	@.ci/packages "$$DEPS" format
 	@git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
 
 clean:

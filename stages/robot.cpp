@@ -24,6 +24,19 @@ std::pair<std::string, double> placed(const std::string& word) {
   return {word.substr(0, at), position};
 }
 
+// Poses beyond a joint's limits, which it is shown at; what turns without end is brought into one turn.
+void keep_within_limits(const RobotModel& model, std::map<std::string, double>& pose,
+                        std::vector<std::string>& odd) {
+  for (auto& [name, position] : pose) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(model.joint(name))];
+    if (joint.kind == Joint::Kind::continuous) position = std::remainder(position, 2 * M_PI);
+    if (position < joint.lower || position > joint.upper)
+      odd.push_back(
+          fmt::format("joint '{}' can't stand at {}: it moves in [{:.3f}, {:.3f}] and is shown at its limit",
+                      name, position, joint.lower, joint.upper));
+  }
+}
+
 Eigen::AlignedBox3d box_of(const Scene& scene) {
   Eigen::AlignedBox3d box;
   for (const Posed& body : scene.bodies)
@@ -33,9 +46,10 @@ Eigen::AlignedBox3d box_of(const Scene& scene) {
 }
 
 void describe(const std::filesystem::path& urdf, const std::filesystem::path& out,
-              const std::filesystem::path& folder, const std::map<std::string, double>& pose) {
+              const std::filesystem::path& folder, std::map<std::string, double> pose) {
   const RobotModel model = load_urdf(urdf);
   std::vector<std::string> odd;
+  keep_within_limits(model, pose, odd);
   const auto meshes = visible_links(model, folder, 1, odd);
   const Body body(model, {}, pose);  // stands as it was told
   const auto frames = body.link_poses(Eigen::VectorXd());
@@ -74,7 +88,8 @@ int main(int argc, char** argv) {
       throw InputError(
           "expected a URDF and a folder: make robot URDF=path [MESHES=folder] [POSE=\"JOINT=rad ...\"]");
     std::map<std::string, double> pose;
-    for (int i = 4; i < argc; ++i) pose.insert(placed(argv[i]));
+    for (int i = 4; i < argc; ++i)
+      if (!pose.insert(placed(argv[i])).second) throw InputError("'{}': its joint is given twice", argv[i]);
     describe(argv[1], argv[2], argc > 3 ? argv[3] : "", pose);
     return 0;
   });

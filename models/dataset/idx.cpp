@@ -63,8 +63,11 @@ Idx read_idx(const fs::path& file, std::size_t dimensions, const std::string& sh
   std::vector<std::uint8_t> bytes = content(idx.path);
   if (!sha256.empty())
     if (const std::string found = sha256_of(bytes); found != sha256)
-      throw InputError("{}: damaged or another file: expected sha256 {}, found {} ({} bytes); fetch it again",
-                       name, sha256, found, bytes.size());
+      throw InputError(
+          "{}: expected sha256 {}, found {} ({} bytes): if it is damaged, fetch it again; if it is of "
+          "another "
+          "dataset, say so in the profile: under [dataset] its name, and sha256 = []",
+          name, sha256, found, bytes.size());
 
   const std::size_t header = 4 + 4 * dimensions, expected_magic = 0x0800 + dimensions;
   if (bytes.size() < header)

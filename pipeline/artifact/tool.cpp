@@ -19,7 +19,7 @@
 #include "pipeline/artifact/settings.h"
 #include "pipeline/artifact/status.h"
 #include "pipeline/artifact/version.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr {
 namespace fs = std::filesystem;
@@ -89,9 +89,32 @@ void nothing_to_do(const Arguments& arguments, const Graph& graph) {
 
 void set(const char* name, const std::string& value) { ::setenv(name, value.c_str(), 1); }
 
+// Where the folder is there and can only be read: why.
+int unwritable(const fs::path& out) {
+  for (const fs::path& folder : {out, out / ".plan"})
+    if (fs::is_directory(folder) && ::access(folder.c_str(), W_OK) != 0) return errno;
+  return 0;
+}
+
+// A finished run may be kept where nobody, or only its owner, can write.
+int look_only(const Arguments& arguments, const Graph& graph, int reason) {
+  const std::size_t stale = count_stale(freshness_of(arguments.workspace, graph));
+  if (stale > 0)
+    throw file_error(
+        arguments.workspace.out,
+        fmt::format("{} of {} artifacts are to be made (`make status` says why), and this output folder "
+                    "can't be written",
+                    stale, graph.size())
+            .c_str(),
+        reason);
+  nothing_to_do(arguments, graph);
+  return 0;
+}
+
 // Becomes make, which runs what is not fresh. The lock stays with it.
 int make(Arguments& arguments, const Graph& graph, const Graph& all) {
   if (arguments.parent > 0) end_with_parent(arguments.parent);
+  if (const int reason = unwritable(arguments.workspace.out)) return look_only(arguments, graph, reason);
   lock_folder(arguments.workspace.out);
   arguments.workspace.remember = true;
   remove_temporaries(arguments.workspace, all);
@@ -213,9 +236,14 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
   run_command->add_option("output", a.output, "the artifact, below the output folder")->required();
   run_command->add_option("--version", a.run.version, "of the repository, for the manifest")
       ->envname("HBR_VERSION");
-  CLI11_PARSE(app, argc, argv);
-
   return guarded_main("hbr", [&] {
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::Success& asked) {  // --help
+      return app.exit(asked);
+    } catch (const CLI::Error& error) {
+      throw InputError("{}", error.what());
+    }
     for (fs::path* path : {&a.workspace.programs, &a.workspace.repository}) *path = absolute_path(*path);
     if (run_command->parsed()) return run(a);
     const Graph all = experiment(a.profile);

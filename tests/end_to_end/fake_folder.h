@@ -48,7 +48,7 @@ class FakeFolder {
   ~FakeFolder() { std::filesystem::remove_all(path); }
 
   std::filesystem::path out() const { return path / "out"; }
-  static std::string tool() { return std::string(HBR_BINARY_DIR) + "/fake/fake_tool"; }
+  std::string tool() const { return (programs / "fake_tool").string(); }
 
   // Writes the profile and gives the words that call the tool on it.
   std::string command(const std::string& subcommand, const std::string& rest = "") const {
@@ -76,7 +76,7 @@ class FakeFolder {
   }
   std::map<std::string, std::string> artifacts() const { return artifacts(out()); }
 
-  std::filesystem::path path;
+  std::filesystem::path path, programs = std::string(HBR_BINARY_DIR) + "/fake";
   FakeProfile profile;
 
  private:

@@ -70,7 +70,7 @@ TEST(Launch, AProgramBuiltAnewWhileItWaitsIsNotTakenForTheOldOne) {
   FakeFolder folder("rebuilt");
   const fs::path programs = folder.path / "programs", program = programs / "fake_stage";
   fs::create_directories(programs);
-  fs::copy(fs::path(FakeFolder::tool()).parent_path() / "fake_stage", program);
+  fs::copy(folder.programs / "fake_stage", program);
   const std::string old_hash = sha256_of_program(program),
                     with = "--programs " + programs.string() + " base ";
   const Outcome rebuilt =

@@ -35,12 +35,21 @@ TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
   }
 }
 
+TEST_F(RobotProgram, SaysWhatNoJointCanDo) {
+  const std::string arm = "models/industrial/six_joint_arm.urdf " + folder_.path().string() + " \"\" ";
+  const Outcome told = robot(arm + "elbow=0.5 shoulder=50");
+  EXPECT_EQ(told.code, 0) << told.text;
+  EXPECT_THAT(told.text, HasSubstr("\nodd: joint \'shoulder\' can\'t stand at 50: it moves in ["));
+  EXPECT_THAT(told.text, testing::Not(HasSubstr("odd: joint \'elbow\'")));
+}
+
 TEST_F(RobotProgram, RefusesInOneLine) {
   const std::string out = folder_.path().string(), arm = "models/industrial/six_joint_arm.urdf ";
   for (const auto& [arguments, words] : {std::pair("\"\" " + out, "expected a URDF and a folder"),
                                          {"none.urdf " + out, "none.urdf: can"},
                                          {arm + out + " \"\" elbow=much", "expected JOINT=POSITION"},
                                          {arm + out + " \"\" knee=1", "no joint"},
+                                         {arm + out + " \"\" elbow=1 elbow=2", "its joint is given twice"},
                                          {arm + "/proc/no", "/proc/no: can"}}) {
     const Outcome told = robot(arguments + " 2>&1 >/dev/null");
     EXPECT_EQ(told.code, 2) << told.text;

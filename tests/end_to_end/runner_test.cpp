@@ -150,8 +150,11 @@ TEST(Runner, BadFoldersAndFullDisksAreOneClearLine) {
   std::ofstream(folder.path / "file") << "x";
   const Outcome below = shell(folder.command_at(folder.path / "file/out", "make"));
   EXPECT_EQ(below.code, 2);
-  EXPECT_EQ(below.text, "hbr: " + (folder.path / "file/out").string() + ": can" +
-                            "'t make this output folder: Not a directory\n");
+  EXPECT_EQ(
+      below.text,
+      "hbr: " + (folder.path / "file/out").string() + ": can" +
+          "'t make this output folder: Not a directory; something above it is no folder: remove that, or "
+          "use another place\n");
   EXPECT_EQ(shell(folder.command_at("/proc/hbr", "make")).code, 2);
 
   folder.profile.layer_a.size = 100'000;
@@ -161,68 +164,6 @@ TEST(Runner, BadFoldersAndFullDisksAreOneClearLine) {
   EXPECT_THAT(full.text, HasSubstr("File too large"));
   EXPECT_EQ(folder.artifacts().size(), 1u);  // base, and no temporary file
   EXPECT_EQ(folder.make().code, 0);
-}
-
-// A file system of 1 MB over a folder: root mounts it, anyone else in a namespace of their own, which a
-// sleeping process keeps.
-class SmallFileSystem {
- public:
-  explicit SmallFileSystem(const fs::path& folder) : folder_(folder) {
-    const std::string mount = "mount -t tmpfs -o size=1M tmpfs " + folder.string();
-    mounted = shell(mount).code == 0;
-    if (mounted) return;
-    keeper_ = ::fork();
-    if (keeper_ == 0) {
-      ::execlp("unshare", "unshare", "--user", "--mount", "--map-root-user", "sleep", "600", nullptr);
-      ::_exit(127);
-    }
-    words = fmt::format("nsenter --user --mount --preserve-credentials --target {} ", keeper_);
-    for (int i = 0; i < 100 && !mounted; ++i) {  // until it is in its namespace, or has ended
-      ::usleep(20'000);
-      if (::waitpid(keeper_, nullptr, WNOHANG) != 0) {
-        keeper_ = -1;
-        return;
-      }
-      mounted = shell(words + mount).code == 0;
-    }
-  }
-  ~SmallFileSystem() {
-    if (mounted) shell(words + "umount " + folder_.string());
-    if (keeper_ <= 0) return;
-    ::kill(keeper_, SIGKILL);
-    ::waitpid(keeper_, nullptr, 0);
-  }
-  SmallFileSystem(const SmallFileSystem&) = delete;
-
-  // Where this process, which is outside, sees what is in the folder.
-  fs::path seen() const {
-    return keeper_ > 0 ? fs::path(fmt::format("/proc/{}/root", keeper_) + folder_.string()) : folder_;
-  }
-  bool mounted = false;
-  std::string words;  // before a command that is to see it
-
- private:
-  fs::path folder_;
-  pid_t keeper_ = -1;
-};
-
-TEST(Runner, ASmallFileSystemThatFillsUpIsToldAndRecoversFrom) {
-  FakeFolder folder("tmpfs");
-  fs::create_directories(folder.out());
-  const SmallFileSystem small(folder.out());
-  if (!small.mounted) GTEST_SKIP() << "neither this user nor a namespace of theirs may mount a file system";
-  folder.profile.layer_b.size = 80'000;  // 640 kB each
-  const Outcome full = shell(small.words + folder.command("make"));
-  const auto artifacts = FakeFolder::artifacts(small.seen());
-  const Outcome audit = shell(small.words + folder.command("audit"));
-  shell(small.words + "mount -t tmpfs -o remount,size=20M tmpfs " + folder.out().string());
-  const Outcome again = shell(small.words + folder.command("make"));
-  EXPECT_NE(full.code, 0);
-  EXPECT_THAT(full.text, HasSubstr("No space left on device"));
-  EXPECT_THAT(artifacts, testing::Contains(testing::Key("base.h5")));
-  EXPECT_THAT(artifacts, Not(testing::Contains(testing::Key(HasSubstr(".tmp")))));
-  EXPECT_EQ(audit.code, 0) << audit.text;
-  EXPECT_EQ(again.code, 0) << again.text;
 }
 
 TEST(Runner, ASecondMakeIsToldSo) {

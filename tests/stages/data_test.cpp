@@ -110,6 +110,13 @@ TEST_F(DataStages, SayInOneLineWhatIsWrong) {
   EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
 
   write_part(0, train_);
+  // Another dataset in MNIST's place.
+  json mnist = dataset_settings();
+  mnist["sha256"] = {"a", "b", "c", "d"};
+  outcome = run("dataset", mnist, json::object(), "dataset.h5");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("under [dataset] its name, and sha256 = []"));
+
   ASSERT_EQ(run("dataset", dataset_settings(), json::object(), "dataset.h5").code, 0);
   json settings = judge_settings();
   settings["random_strokes"]["fewest_points"] = 20;

@@ -1,0 +1,160 @@
+// What a user gives on make's command line or in the environment reaches the programs letter by letter, or is
+// refused in one line. Stand-ins for the programs tell what they were given.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/end_to_end/fake_folder.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::vector<std::string> kOdd{"dol$lar",
+                                    "two words",
+                                    "it's",
+                                    "\"x\"",
+                                    "`y`",
+                                    "a#b",
+                                    "a%b:c",
+                                    "*",
+                                    "ünï/cödé",
+                                    "back\\slash",
+                                    "$(shell touch pwned)",
+                                    "x; touch pwned",
+                                    "$$",
+                                    "a,b(c)",
+                                    "&& touch pwned | x",
+                                    "a=b"};
+
+class UserValues : public testing::Test {
+ protected:
+  void SetUp() override { set_up(folder_.path() / "checkout"); }
+  void TearDown() override {
+    for (const std::string& name : given_) ::unsetenv(name.c_str());
+  }
+  void set_up(const fs::path& checkout) {
+    checkout_ = checkout;
+    fs::create_directories(checkout_);
+    fs::copy(HBR_SOURCE_DIR "/Makefile", checkout_);
+    fs::copy(HBR_SOURCE_DIR "/.ci", checkout_ / ".ci");
+    fs::create_directories(checkout_ / "pipeline");
+    program(checkout_ / "pipeline/fetch_mnist.sh", "");
+    std::ofstream(checkout_ / "CMakeLists.txt") << "cmake_minimum_required(VERSION 3.25)\n"
+                                                   "project(stand_in LANGUAGES NONE)\n"
+                                                   "add_custom_target(programs)\nadd_custom_target(robot)\n";
+    for (const char* name : {"hbr", "robot", "reference", "publish"})
+      program(checkout_ / "build/release/bin" / name,
+              "printf \"<%s>\" ${0##*/} \"$@\" \"MNIST_DIR=${MNIST_DIR-}\"; echo");
+  }
+  static void program(const fs::path& file, const std::string& text) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << "#!/bin/bash\n" << text << "\n";
+    fs::permissions(file, fs::perms::owner_all);
+  }
+  // The values travel by the environment, so that this test's own shell does not touch them.
+  Outcome make(const std::string& goal, const std::map<std::string, std::string>& values,
+               bool by_environment) {
+    std::string words;
+    for (const auto& [name, value] : values) {
+      given_.push_back((by_environment ? "" : "GIVEN_") + name);
+      ::setenv(given_.back().c_str(), value.c_str(), 1);
+      if (!by_environment) words += " " + name + "=\"$GIVEN_" + name + "\"";
+    }
+    ::setenv("CHECKOUT", checkout_.c_str(), 1);
+    given_.push_back("CHECKOUT");
+    const Outcome outcome =
+        shell("make -C \"$CHECKOUT\" DEPS=none " + goal + words + " 2>&1 | grep -v \"^make.*directory\"");
+    TearDown();
+    given_.clear();
+    EXPECT_FALSE(fs::exists(checkout_ / "pwned"));
+    return outcome;
+  }
+
+  const TemporaryFolder folder_;
+  fs::path checkout_;
+  std::vector<std::string> given_;
+};
+
+TEST_F(UserValues, ReachTheProgramsLetterByLetter) {
+  for (const std::string& odd : kOdd)
+    for (const bool by_environment : {false, true}) {
+      const std::map<std::string, std::string> all{{"OUT", odd},    {"PROFILE", odd + ".toml"},
+                                                   {"LAUNCH", odd}, {"THREADS", odd},
+                                                   {"REP", odd},    {"MNIST_DIR", odd}};
+      EXPECT_THAT(
+          make("status", all, by_environment).text,
+          HasSubstr("<hbr><status><--profile><" + odd + ".toml><--out><" + odd + "><--threads><" + odd +
+                    "><--launch><" + odd + "><--replication><" + odd + "><MNIST_DIR=" + odd + ">"));
+      EXPECT_THAT(make("verify", {{"OUT", odd}}, by_environment).text,
+                  HasSubstr("<reference><verify><" + odd + "><reports/reference>"));
+      EXPECT_THAT(
+          make("robot", {{"OUT", odd}, {"URDF", odd}, {"MESHES", odd}, {"POSE", "a=1 *=2"}}, by_environment)
+              .text,
+          HasSubstr("<robot><" + odd + "><" + odd + "><" + odd + "><a=1><*=2>"));
+      EXPECT_THAT(make("help", {{"OUT", odd}}, by_environment).text, HasSubstr("OUT=" + odd + "   where"));
+    }
+}
+
+TEST_F(UserValues, OutFollowsTheProfilesName) {
+  for (const auto& [profile, out] : {std::pair("paper", "out/paper"),
+                                     {"my files/my own.toml", "out/my own"},
+                                     {"folder/x", "out/x"},
+                                     {"a.b.toml", "out/a.b"}})
+    EXPECT_THAT(make("status", {{"PROFILE", profile}}, false).text,
+                HasSubstr(std::string("<") + profile + "><--out><" + out + ">"));
+  EXPECT_THAT(make("robot", {{"URDF", "a.urdf"}}, false).text, HasSubstr("<robot><a.urdf><out/robot><>"));
+}
+
+TEST_F(UserValues, WhatCanNotBeHandedOnIsRefusedInOneLine) {
+  const auto refused = [&](const std::string& goal, const std::map<std::string, std::string>& values) {
+    const Outcome outcome = make(goal, values, false);
+    EXPECT_EQ(std::ranges::count(outcome.text, '\n'), 1) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr("  Stop.\n"));
+    return outcome.text;
+  };
+  EXPECT_THAT(refused("status", {{"OUT", "-x"}}), HasSubstr("OUT is '-x': write ./-x"));
+  EXPECT_THAT(refused("status", {{"OUT", "~/x"}}), HasSubstr("the shell did not replace the ~"));
+  EXPECT_THAT(refused("status", {{"OUT", "a\nb"}}), HasSubstr("OUT has a line break in it"));
+  EXPECT_THAT(refused("status", {{"OUT", ""}}), HasSubstr("OUT is empty"));
+  EXPECT_THAT(refused("status", {{"PROFILE", ""}}), HasSubstr("PROFILE is empty"));
+  EXPECT_THAT(refused("build", {{"BUILD", "a b"}}), HasSubstr("may have no space in its path"));
+  EXPECT_THAT(refused("build", {{"BUILD", "a$b"}}), HasSubstr("may have no $ in its path"));
+  for (const char* goal : {"\"a;b\"", "\"a:b\"", "\"a%b\"", "\"\\$(x)\"", "\"a b(\""})
+    EXPECT_THAT(refused(goal, {}), HasSubstr("in its name"));
+}
+
+TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+  const Outcome first = make("status", {}, false);
+  ASSERT_THAT(first.text, HasSubstr("<hbr><status>"));
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
+    fs::permissions(
+        entry.path(),
+        fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec,
+        fs::perm_options::add);
+  fs::remove(checkout_ / "build/.packages");
+  for (const char* goal : {"status", "audit", "verify", "all", "robot"}) {
+    const Outcome outcome = shell("setpriv --reuid=65534 --regid=65534 --clear-groups make -C " +
+                                  checkout_.string() + " " + goal);
+    EXPECT_EQ(outcome.code, 0) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr("the programs in build are used as they are"));
+    EXPECT_THAT(outcome.text, HasSubstr(goal == std::string("verify")  ? "<reference>"
+                                        : goal == std::string("robot") ? "<robot>"
+                                                                       : "<hbr>"));
+  }
+}
+
+TEST_F(UserValues, TheRepositorysPathMayBeOdd) {
+  set_up(folder_.path() / "it's a \"dol$lar\" ünï");
+  const Outcome outcome = make("status", {{"OUT", "o"}}, false);
+  EXPECT_THAT(outcome.text, HasSubstr("<hbr><status><--profile><paper><--out><o>"));
+  EXPECT_THAT(make("status", {{"OUT", "o"}}, false).text, testing::StartsWith("<hbr>"));  // configured once
+}
+
+}  // namespace
+}  // namespace hbr
