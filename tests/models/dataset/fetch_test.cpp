@@ -59,6 +59,13 @@ TEST_F(FetchTest, LeavesNothingHalfDone) {
   EXPECT_TRUE(std::filesystem::is_empty(cache));
 }
 
+TEST_F(FetchTest, SaysWhatToDoWhereItCannotWrite) {
+  const Outcome outcome = fetch("env -u MNIST_DIR", "/proc/mnist");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output,
+              HasSubstr("can't write to /proc/mnist: name a folder with the four files by MNIST_DIR"));
+}
+
 TEST_F(FetchTest, RefusesDamagedFiles) {
   program("curl", "#!/bin/sh\nexit 7\n");
   program("npm",
