@@ -248,11 +248,13 @@ bench: $(packages) $(BUILD)/release/build.ninja
 	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' $(BUILD)/bench/*.json
 
 # Compiles everything for other processors, by both compilers, warnings being errors; links and runs nothing.
+# OBJECTS (a regex): only these.
 COMPILERS ?= g++ clang++
+OBJECTS ?=
 TARGETS ?= x86-64 x86-64-v2 x86-64-v3 x86-64-v4 haswell sapphirerapids znver2 znver3 native
 check-targets: $(packages)
 	@.ci/packages "$$DEPS" check-targets
-	@.ci/targets '$(BUILD)/targets' '$(COMPILERS)' '$(TARGETS)'
+	@.ci/targets '$(BUILD)/targets' '$(COMPILERS)' '$(TARGETS)' '$(OBJECTS)'
 
 # The README's commands and all tests on a bare machine of each Debian release, as root.
 RELEASES ?= bookworm trixie

@@ -116,7 +116,11 @@ void arc_descriptors(const Frame& frame, ArcCentre centre, const ArcTracks& trac
   float* const out[3] = {descriptors.coordinate(0), descriptors.coordinate(1), descriptors.coordinate(2)};
   const auto fill = [&](ArcCentre of) {
     const double metres = 2 * frame.half_side;
+#ifdef __clang__
+#pragma clang loop vectorize(assume_safety)
+#else
 #pragma GCC ivdep
+#endif
     for (int s = 0; s < descriptors.size(); ++s) {
       const Place p = place(
           of, kArcSegments + 1, [&](int k) { return metres * x[k][s]; },

@@ -102,11 +102,5 @@ TEST_F(Makefile, ABuildFolderThatCannotBeWrittenIsTold) {
   EXPECT_THAT(outcome.text, HasSubstr("can't write to /proc/hbr: name a folder for the programs with BUILD"));
 }
 
-TEST_F(Makefile, ABuildFolderWithASpaceIsRefused) {
-  const Outcome outcome = make("build \"BUILD=a b\"");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.text, HasSubstr("BUILD is a b: the build folder may have no space in its path"));
-}
-
 }  // namespace
 }  // namespace hbr
