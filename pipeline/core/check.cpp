@@ -1,5 +1,4 @@
 #include "pipeline/core/check.h"
-static int nobody() { return 1; }
 
 #include <cstdio>
 #include <cstdlib>
