@@ -49,6 +49,12 @@ std::string why_stale(const Node& node, const Ingredients& was, const Ingredient
   return reasons.empty() ? "files changed" : fmt::format("{}", fmt::join(reasons, ", "));
 }
 
+// Whoever tells what is wrong with a file names it himself.
+std::string without(const fs::path& file, const std::string& complaint) {
+  const std::string lead = file.string() + ": ";
+  return complaint.starts_with(lead) ? complaint.substr(lead.size()) : complaint;
+}
+
 // All but the comparison of the artifact with its manifest.
 Found manifest_of(const Workspace& workspace, const Node& node) {
   Found found;
@@ -63,7 +69,9 @@ Found manifest_of(const Workspace& workspace, const Node& node) {
     found.why = fmt::format("its manifest is damaged: {}", problem.what());
   }
   if (!fs::exists(artifact, error)) {
-    found.why = error ? file_error(artifact, "can't look at it", error.value()).what() : "missing";
+    found.why =
+        error ? "damaged: " + without(artifact, file_error(artifact, "can't read", error.value()).what())
+              : "missing";
     found.state = error ? State::damaged : State::missing;
   } else {
     found.state = found.manifest ? State::fresh : State::damaged;
@@ -95,7 +103,7 @@ void compare(const Workspace& workspace, const Node& node, Compare how, Found& f
     found.bytes = content.bytes;
   } catch (const InputError& problem) {
     found.state = State::damaged;
-    found.why = problem.what();
+    found.why = "damaged: " + without(artifact, problem.what());
     return;
   }
   if (sha256 != manifest.content.sha256) {
@@ -230,7 +238,8 @@ std::vector<Freshness> freshness_of(const Workspace& workspace, const Graph& gra
       continue;
     }
     Freshness waiting;
-    const bool exists = fs::exists(workspace.out / node.output);
+    std::error_code ignored;
+    const bool exists = fs::exists(fs::symlink_status(workspace.out / node.output, ignored));
     waiting.state = exists ? State::waiting : State::missing;
     waiting.why = exists ? fmt::format("its input {} is to be made first", *waits_for) : "missing";
     all.push_back(waiting);

@@ -27,10 +27,12 @@ constexpr auto kPatience = 1500ms;
 void lock_folder(const std::filesystem::path& out) {
   std::error_code error;
   std::filesystem::create_directories(out / ".plan", error);
-  if (error) throw file_error(out, "can't make this output folder", error.value());
+  if (error)
+    throw file_error(std::filesystem::is_directory(out) ? out / ".plan" : out,
+                     "can't make this output folder", error.value());
   const std::filesystem::path file = out / ".plan/lock";
   const int lock = ::open(file.c_str(), O_RDWR | O_CREAT, 0666);
-  if (lock < 0) throw file_error(out, "can't write to this output folder", errno);
+  if (lock < 0) throw file_error(file, "can't write to this output folder", errno);
   const auto until = std::chrono::steady_clock::now() + kPatience;
   while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
     if (errno == ENOLCK || errno == EOPNOTSUPP) break;  // none here: the claim has to do
@@ -46,7 +48,7 @@ void lock_folder(const std::filesystem::path& out) {
   }
   const std::string self = std::to_string(::getpid());
   if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, self.data(), self.size(), 0) < 0)
-    throw file_error(out, "can't write to this output folder", errno);
+    throw file_error(file, "can't write to this output folder", errno);
   ::setenv(kVariable, std::to_string(lock).c_str(), 1);
 
   const Process holder = this_process();

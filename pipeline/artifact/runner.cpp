@@ -47,8 +47,9 @@ void remove_other_checkpoints(const fs::path& artifact, const fs::path& kept) {
 // What stood there before must not be mixed with a new folder.
 void replace(const fs::path& artifact, const fs::path& output) {
   const Temporary old(temporary_beside(artifact, "old"));
-  if (fs::is_directory(artifact) || fs::is_directory(output))
-    if (fs::exists(artifact)) fs::rename(artifact, old.path);
+  const fs::file_status before = fs::symlink_status(artifact);  // of a link itself, wherever it leads
+  if (fs::exists(before) && (fs::is_directory(before) || fs::is_directory(output)))
+    fs::rename(artifact, old.path);
   fs::rename(output, artifact);
 }
 
@@ -154,6 +155,7 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
   replace(artifact, output.path);
   manifest.sign = sign_of(artifact);
   try {
+    if (fs::is_directory(fs::symlink_status(manifest_file))) fs::remove_all(manifest_file);
     write_manifest(manifest_file, manifest);
   } catch (const InputError&) {
     fs::remove_all(artifact);  // nothing is known of an artifact without its manifest

@@ -37,6 +37,10 @@ std::string remedy(const fs::path& path, int error) {
       return fs::is_directory(path.parent_path(), ignored) ? "" : "a folder above it is not there";
     case ENOTDIR:
       return "something above it is no folder: remove that, or use another place";
+    case EISDIR:
+    case EEXIST:
+    case EINVAL:  // a pipe has no length to cut
+      return "something else stands in its place: remove it, or use another place";
     case ENAMETOOLONG:
       return "use a place with a shorter path";
     case EFBIG:

@@ -51,6 +51,50 @@ TEST(Places, WithoutInodesTheFileAndARemedyAreTold) {
   EXPECT_EQ(again.code, 0) << again.text;
 }
 
+// A folder full of something else.
+void put_folder(const fs::path& place) {
+  fs::remove_all(place);
+  fs::create_directories(place / "inner");
+}
+
+TEST(Places, OtherThingsInThePlaceOfArtifactsAndManifestsGiveWay) {
+  FakeFolder folder("others");
+  ASSERT_EQ(folder.make().code, 0);
+  const auto artifacts = folder.artifacts();
+  put_folder(folder.out() / "sum.json");
+  put_folder(folder.out() / "base.h5");
+  fs::remove(folder.out() / "layer_a/00.h5");
+  fs::create_symlink("00.h5", folder.out() / "layer_a/00.h5");
+  fs::remove_all(folder.out() / "pages");
+  fs::create_symlink("layer_b", folder.out() / "pages");
+  const Outcome outcome = folder.make();
+  EXPECT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_EQ(made(outcome), "base layer_a/00 pages sum");
+  EXPECT_TRUE(folder.artifacts() == artifacts);
+  EXPECT_EQ(shell(folder.command("audit")).code, 0);
+}
+
+// What is not the project's own is left alone, and named.
+TEST(Places, OtherThingsInThePlaceOfItsOwnFoldersAreNamed) {
+  FakeFolder folder("own");
+  for (const char* place : {".plan", ".plan/lock", ".plan/hashes.json", "layer_a"}) {
+    folder.make();
+    fs::remove_all(folder.out() / place);
+    if (std::string(place).ends_with("lock") || std::string(place).ends_with("json"))
+      fs::create_directory(folder.out() / place);
+    else
+      std::ofstream(folder.out() / place) << "somebody\'s";
+    const Outcome outcome = folder.make();
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
+    EXPECT_THAT(outcome.text, HasSubstr((folder.out() / place).string() + ": "));
+    EXPECT_THAT(outcome.text, HasSubstr("remove "));
+    EXPECT_THAT(outcome.text, Not(HasSubstr("unexpected")));
+    EXPECT_TRUE(fs::exists(folder.out() / place));
+    fs::remove_all(folder.out() / place);
+    EXPECT_EQ(folder.make().code, 0);
+  }
+}
+
 // What may be asked of a finished run, and of one that is not.
 void expect_readable(FakeFolder& folder, const std::string& words, const std::string& reason) {
   for (const char* subcommand : {"make", "status", "audit", "graph", "plan"}) {

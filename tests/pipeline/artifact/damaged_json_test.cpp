@@ -167,6 +167,10 @@ TEST_F(Damaged, OtherThingsInTheirPlacesAreToldAndMadeAgain) {
     fs::remove(place);
     fs::rename(out() / "kept", place);
   }
+  write_file(artifact, "another");
+  EXPECT_THAT(audit(workspace(), {node_}).problems[0],
+              StartsWith(artifact.string() + ": damaged: expected sha256"));
+  write_file(artifact, "artifact");
   fs::remove(manifest_file());
   expect_damaged("its manifest is missing");
   fs::rename(artifact, out() / "kept");
