@@ -11,7 +11,7 @@ namespace {
 
 // Configurations in step: loops over the lanes become vectors. A lane never sees another one and no operation
 // is reordered, so that a pen has the same bits on every machine and in every batch.
-constexpr int kLanes = 8;
+constexpr int kArms = 8;
 
 // sin(pi r) / r and cos(pi r) as polynomials in r^2 for |r| <= 1/2: interpolation at the Chebyshev nodes,
 // errors below 4e-16.
@@ -35,20 +35,20 @@ double polynomial(const double (&coefficients)[N], double z) {
   return sum;
 }
 
-// The tips of kLanes arms. The direction of a link is kept as half turns in [-1/2, 1/2] and the parity of the
+// The tips of kArms arms. The direction of a link is kept as half turns in [-1/2, 1/2] and the parity of the
 // half turns taken away: rounding errors do not grow with the number of turns, and both polynomials are
 // short.
 struct Tips {
-  alignas(64) double x[kLanes] = {}, y[kLanes] = {};
+  alignas(64) double x[kArms] = {}, y[kArms] = {};
 
-  Tips(const std::vector<double>& links, const double* const (&joints)[kLanes]) {
+  Tips(const std::vector<double>& links, const double* const (&joints)[kArms]) {
     constexpr double kRound = 0x1.8p52;  // added, it leaves a number's nearest integer in the lowest bits
-    alignas(64) double direction[kLanes] = {}, joint[kLanes];
-    alignas(64) std::uint64_t parity[kLanes] = {};
+    alignas(64) double direction[kArms] = {}, joint[kArms];
+    alignas(64) std::uint64_t parity[kArms] = {};
     for (std::size_t j = 0; j < links.size(); ++j) {
       const double link = links[j];
-      for (int l = 0; l < kLanes; ++l) joint[l] = joints[l][j];
-      for (int l = 0; l < kLanes; ++l) {
+      for (int l = 0; l < kArms; ++l) joint[l] = joints[l][j];
+      for (int l = 0; l < kArms; ++l) {
         const double half_turns = direction[l] + joint[l] * std::numbers::inv_pi;
         const double shifted = half_turns + kRound;
         const double r = half_turns - (shifted - kRound);
@@ -71,12 +71,12 @@ PlanarArm::PlanarArm(const std::vector<double>& links, double limit)
       upper_(-lower_) {}
 
 void PlanarArm::pens(Eigen::Index n, const double* joints, Pen* pens) const {
-  for (Eigen::Index begin = 0; begin < n; begin += kLanes) {
+  for (Eigen::Index begin = 0; begin < n; begin += kArms) {
     // The last lanes may be copies of the last configuration.
-    const double* configuration[kLanes];
-    for (int l = 0; l < kLanes; ++l) configuration[l] = joints + std::min(begin + l, n - 1) * dof();
+    const double* configuration[kArms];
+    for (int l = 0; l < kArms; ++l) configuration[l] = joints + std::min(begin + l, n - 1) * dof();
     const Tips tips(links_, configuration);
-    const Eigen::Index end = std::min(begin + kLanes, n);
+    const Eigen::Index end = std::min(begin + kArms, n);
     for (Eigen::Index i = begin; i < end; ++i) pens[i] = {{tips.x[i - begin], tips.y[i - begin]}, 0};
   }
 }

@@ -10,8 +10,6 @@
 namespace hbr {
 namespace {
 
-constexpr int kMostNeighbours = 32;
-
 template <int D>
 class DistanceArchive final : public Repertoire {
  public:
@@ -68,7 +66,7 @@ class DistanceArchive final : public Repertoire {
 
   // Mean distance to the k nearest elites, `excluded` left out.
   float novelty(const float* point, Slot excluded) const {
-    std::array<typename Grid::Near, kMostNeighbours> near;
+    std::array<typename Grid::Near, kMaxNeighbours> near;
     const int found = grid_.nearest(point, settings_.neighbours, excluded, near.data());
     float sum = 0;
     for (int i = 0; i < found; ++i) sum += std::sqrt(near[i].squared);
@@ -110,7 +108,7 @@ std::unique_ptr<Repertoire> make(int genes, int size, const DistanceArchiveSetti
 
 std::unique_ptr<Repertoire> make_distance_archive(int genes, int descriptor_size,
                                                   const DistanceArchiveSettings& s) {
-  HBR_CHECK(s.neighbours >= 1 && s.neighbours <= kMostNeighbours, "neighbours {}", s.neighbours);
+  HBR_CHECK(s.neighbours >= 1 && s.neighbours <= kMaxNeighbours, "neighbours {}", s.neighbours);
   HBR_CHECK(s.spacing > 0 && s.high > s.low, "spacing {}, range [{}, {}]", s.spacing, s.low, s.high);
   return make<1>(genes, descriptor_size, s);
 }

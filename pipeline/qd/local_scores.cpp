@@ -11,7 +11,6 @@
 namespace hbr {
 namespace {
 
-constexpr int kMostNeighbours = 32;
 constexpr float kEverything = std::numeric_limits<float>::infinity();
 
 template <int D>
@@ -72,7 +71,7 @@ class LocalScoresOf final : public LocalScores {
   }
 
   void score(Slot s, const EliteStore& store) {
-    std::array<typename Grid::Near, kMostNeighbours> near;
+    std::array<typename Grid::Near, kMaxNeighbours> near;
     const int found = grid_.nearest(point(s), neighbours_, s, near.data());
     float sum = 0;
     int outperformed = 0;
@@ -106,7 +105,7 @@ class LocalScoresOf final : public LocalScores {
 }  // namespace
 
 std::unique_ptr<LocalScores> make_local_scores(int descriptor_size, int neighbours, float low, float high) {
-  HBR_CHECK(neighbours >= 1 && neighbours <= kMostNeighbours && high > low, "neighbours {}, range [{}, {}]",
+  HBR_CHECK(neighbours >= 1 && neighbours <= kMaxNeighbours && high > low, "neighbours {}, range [{}, {}]",
             neighbours, low, high);
   return with_dimension(descriptor_size, [&](auto d) -> std::unique_ptr<LocalScores> {
     return std::make_unique<LocalScoresOf<decltype(d)::value>>(neighbours, low, high);

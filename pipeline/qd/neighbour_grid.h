@@ -15,6 +15,8 @@
 
 namespace hbr {
 
+inline constexpr int kMaxNeighbours = 32;  // that a novelty score may average
+
 template <int D>
 class NeighbourGrid {
  public:

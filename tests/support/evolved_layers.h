@@ -8,11 +8,11 @@
 #include "pipeline/hierarchy/arc_layer.h"
 #include "pipeline/qd/distance_archive.h"
 #include "pipeline/qd/search.h"
+#include "tests/support/frame.h"
 #include "tests/support/naive_search.h"
 
 namespace hbr {
 
-inline constexpr Frame kFrame{0.63965, 0.256};
 inline const std::vector<double> kLinks{.0875, .078, .072, .072, .071, .068, .068, .065};
 inline constexpr double kJointLimit = std::numbers::pi / 2;
 inline constexpr int kBatch = 200;

@@ -7,11 +7,10 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
+#include "tests/support/frame.h"
 
 namespace hbr {
 namespace {
-
-constexpr Frame kFrame{0.63965, 0.256};
 
 ArcPoints on_circle(const Eigen::Vector2d& centre, double radius, double from, double step) {
   ArcPoints points;

@@ -7,10 +7,9 @@
 
 #include "models/arm/planar_arm.h"
 #include "pipeline/hierarchy/point_layer.h"
+#include "tests/support/frame.h"
 
 namespace hbr {
-
-inline constexpr Frame kFrame{0.63965, 0.256};
 
 inline int plain_nearest(const Rows& measures, const Eigen::VectorXd& wanted) {
   int best = 0;
