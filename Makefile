@@ -25,6 +25,7 @@ OUT ?= out/$(subst <space>,$(space),$(patsubst %.toml,%,$(notdir $(subst $(space
 BUILD ?= build
 HBR_ARCH ?= native
 WERROR ?=
+UNITY ?= 1
 THREADS ?= 0
 LAUNCH ?=
 DEPS ?= auto
@@ -98,6 +99,7 @@ help:
 	@echo "BUILD=$$BUILD"'   where programs are built; with OUT elsewhere, too, the sources may be read-only'
 	@echo 'HBR_ARCH=$(HBR_ARCH)   processors to build for (-march): this one, or x86-64-v3 and so on; CXX=clang++: another compiler'
 	@echo 'WERROR=$(WERROR)   1: a warning stops the build, as CI has it'
+	@echo 'UNITY=$(UNITY)   0: files are compiled one by one, for those who change a few and build again'
 	@echo "THREADS=$$THREADS"'   threads of one stage program; 0: the processors, shared among the N of -jN'
 	@echo "LAUNCH=$$LAUNCH"'   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt"'
 	@echo "MNIST_DIR=$$MNIST_DIR"'   folder of the four MNIST files; without it they are downloaded'
@@ -118,6 +120,7 @@ $(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
 # need CMake afresh, or the sources of elsewhere would be compiled.
 compiler := $(if $(filter-out default undefined,$(origin CXX)),-DCMAKE_CXX_COMPILER='$(CXX)')
 settings = -DHBR_BUILD=$(1) -DHBR_ARCH='$(HBR_ARCH)' -DHBR_WERROR=$(if $(WERROR),ON,OFF) \
+  -DHBR_UNITY=$(if $(filter 0,$(UNITY)),OFF,ON) \
   $(if $(filter fuzz,$(1)),-DCMAKE_CXX_COMPILER=clang++,$(compiler))
 kept = $(settings) $(CURDIR) $(abspath $(BUILD))
 quoted = '$(subst ','\'',$(1))'

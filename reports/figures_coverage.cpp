@@ -16,7 +16,7 @@
 namespace hbr {
 namespace {
 
-const std::string kSuffix = "_polish";
+const std::string kPolished = "_polish";
 
 // One dot for each point [n x 2], drawn over the points' own range: blue, the paler the nearer, up to
 // `limit`, vermilion beyond.
@@ -77,14 +77,14 @@ std::string shares_within(const StatisticsView& statistics, const std::string& r
 
 Figure coverage_figure(const Evidence& evidence) {
   Figure figure{.id = "coverage", .title = "The arm’s points within other robots’ reach."};
-  const auto stages = evidence.artifacts.stages("", kSuffix);
+  const auto stages = evidence.artifacts.stages("", kPolished);
   if (stages.empty()) {
     figure.absent = "This run has no other robot that draws.";
     return figure;
   }
   std::string missing, shares;
   for (const std::string& stage : stages) {
-    const std::string robot = stage.substr(0, stage.size() - kSuffix.size());
+    const std::string robot = stage.substr(0, stage.size() - kPolished.size());
     if (const std::string plane = robot + "_plane.h5"; evidence.artifacts.has(plane)) {
       const std::filesystem::path path = evidence.artifacts.path(plane);
       const Hdf5Reader file(path);

@@ -43,8 +43,6 @@ Panel mosaic(const std::string& title, const Drawings& digits, Table& table) {
   return {title, {kEdge + kSide, kEdge + kSide, body}, 3};
 }
 
-constexpr const char* kContenders[] = {"hbr", "flat"};
-
 }  // namespace
 
 Figure digits_figure(const Evidence& evidence) {

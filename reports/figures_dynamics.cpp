@@ -17,20 +17,21 @@
 namespace hbr {
 namespace {
 
-const std::string kSuffix = "_dynamics";
-constexpr std::size_t kPixels = 784;
+const std::string kReplayed = "_dynamics";
+constexpr std::size_t kImagePixels = 784;
 
 // A digit in the rows of the picture: as it was, as the servos are asked for it, and what they drew.
-struct Row {
+struct ReplayRow {
   const char *group, *label;
   Colour colour;
 };
-constexpr std::array kRows{Row{"", "before", Colour::ink}, Row{"wanted", "asked", Colour::grey},
-                           Row{"arm", "arm", Colour::blue}, Row{"whole", "body", Colour::orange}};
+constexpr std::array kReplayRows{
+    ReplayRow{"", "before", Colour::ink}, ReplayRow{"wanted", "asked", Colour::grey},
+    ReplayRow{"arm", "arm", Colour::blue}, ReplayRow{"whole", "body", Colour::orange}};
 
 struct Digit {
-  std::array<std::vector<std::uint8_t>, kRows.size()> images;  // some empty
-  float difference;                                            // of the arm's
+  std::array<std::vector<std::uint8_t>, kReplayRows.size()> images;  // some empty
+  float difference;                                                  // of the arm's
 };
 
 std::vector<Digit> read_replays(const std::vector<std::filesystem::path>& files) {
@@ -40,16 +41,16 @@ std::vector<Digit> read_replays(const std::vector<std::filesystem::path>& files)
     const std::vector<float> difference = file.read<float>("arm/absolute").values;
     const std::size_t first = digits.size();
     for (const float value : difference) digits.push_back({{}, value});
-    for (std::size_t row = 0; row < kRows.size(); ++row) {
-      const std::string group = kRows[row].group, name = group.empty() ? "image" : group + "/image";
+    for (std::size_t row = 0; row < kReplayRows.size(); ++row) {
+      const std::string group = kReplayRows[row].group, name = group.empty() ? "image" : group + "/image";
       if (!file.has(name)) continue;
       const std::vector<std::uint8_t> images = file.read<std::uint8_t>(name).values;
-      if (images.size() != kPixels * difference.size())
+      if (images.size() != kImagePixels * difference.size())
         throw InputError("{}: {} does not hold as many digits as arm/absolute, {}", path.string(), name,
                          difference.size());
       for (std::size_t i = 0; i < difference.size(); ++i) {
-        const auto at = images.begin() + static_cast<std::ptrdiff_t>(i * kPixels);
-        digits[first + i].images[row].assign(at, at + kPixels);
+        const auto at = images.begin() + static_cast<std::ptrdiff_t>(i * kImagePixels);
+        digits[first + i].images[row].assign(at, at + kImagePixels);
       }
     }
   }
@@ -61,9 +62,9 @@ std::vector<Digit> read_replays(const std::vector<std::filesystem::path>& files)
 std::vector<GalleryRow> gallery(const std::vector<Digit>& digits) {
   const std::size_t shown = std::min(digits.size(), kGalleryColumns);
   std::vector<GalleryRow> rows;
-  for (std::size_t row = 0; row < kRows.size(); ++row) {
+  for (std::size_t row = 0; row < kReplayRows.size(); ++row) {
     if (digits[0].images[row].empty()) continue;
-    rows.push_back({kRows[row].label, kRows[row].colour});
+    rows.push_back({kReplayRows[row].label, kReplayRows[row].colour});
     for (std::size_t k = 0; k < shown; ++k)
       rows.back().images.push_back(
           digits[shown == 1 ? 0 : k * (digits.size() - 1) / (shown - 1)].images[row]);
@@ -107,14 +108,14 @@ std::string measured_words(const StatisticsView& statistics, const std::string& 
 
 Figure dynamics_figure(const Evidence& evidence) {
   Figure figure{.id = "dynamics", .title = "The same digits by the robots’ servos, under gravity."};
-  const auto stages = evidence.artifacts.stages("", kSuffix);
+  const auto stages = evidence.artifacts.stages("", kReplayed);
   if (stages.empty()) {
     figure.absent = "This run replayed no digit by servos.";
     return figure;
   }
   std::string measured;
   for (const std::string& stage : stages) {
-    const std::string id = stage.substr(0, stage.size() - kSuffix.size()), robot = robot_title(id),
+    const std::string id = stage.substr(0, stage.size() - kReplayed.size()), robot = robot_title(id),
                       name = "dynamics." + id + ".";
     const std::vector<Digit> digits = read_replays(evidence.artifacts.replications(stage));
     if (digits.empty()) throw InputError("{} holds no digit", stage);

@@ -17,7 +17,7 @@
 namespace hbr {
 namespace {
 
-constexpr std::array kContenders = {"hbr", "flat"};
+constexpr std::array kDrawers = {"hbr", "flat"};
 using Replications = std::vector<Drawings>;  // of one contender
 
 // What both scatter plots show.
@@ -93,7 +93,7 @@ std::vector<Panel> good_by_error(const std::vector<Replications>& all, const Bou
   constexpr std::size_t kFewest = 5;  // digits of a replication in a bin, for a share to say something
   BandPlot plot{.x_label = "the network’s error per pixel", .unit = "% good", .bands = {}, .from_zero = true};
   for (std::size_t c = 0; c < all.size(); ++c) {
-    const Contender who = contender(kContenders[c]);
+    const Contender who = contender(kDrawers[c]);
     Band band{who.label, who.colour, {}, {}, {}, {}};
     for (double low = 0; low < bounds.error; low += kBin) {
       std::vector<double> shares;
@@ -162,13 +162,13 @@ Figure fooling_figure(const Evidence& evidence) {
       "least error (written below it) among the good ones and among the others.";
   const auto files = evidence.artifacts.replications("digits");
   std::vector<Replications> all;
-  for (const char* who : kContenders) {
+  for (const char* who : kDrawers) {
     Replications drawings;
     for (const auto& path : files)
       if (has_drawings(path, who)) drawings.push_back(read_drawings(path, who));
     if (!drawings.empty()) all.push_back(std::move(drawings));
   }
-  if (all.size() != kContenders.size()) {
+  if (all.size() != kDrawers.size()) {
     figure.absent = "This run has no digits of both hierarchy and flat baseline that a judge has seen.";
     return figure;
   }
@@ -177,7 +177,7 @@ Figure fooling_figure(const Evidence& evidence) {
   if (const auto errors = evidence.statistics.quantity("autoencoder.test_error"); !errors.empty())
     real_error = summarise(errors, "autoencoder.test_error").median;
   for (std::size_t c = 0; c < all.size(); ++c)
-    figure.panels.push_back(scatter(kContenders[c], all[c], bounds, real_error, figure.table));
+    figure.panels.push_back(scatter(kDrawers[c], all[c], bounds, real_error, figure.table));
   for (Panel& panel : good_by_error(all, bounds, figure.table)) figure.panels.push_back(std::move(panel));
   for (const auto& [title, unit, measure] :
        {std::tuple{"Network and judge agree", "rank correlation", "agreement"},
@@ -187,7 +187,7 @@ Figure fooling_figure(const Evidence& evidence) {
                    {std::string("digits.hbr.") + measure, std::string("digits.flat.") + measure},
                    {.title = title, .unit = unit, .figure = figure.id}, figure.table))
       figure.panels.push_back(std::move(panel));
-  for (std::size_t c = 0; c < all.size(); ++c) figure.panels.push_back(pairs(kContenders[c], all[c]));
+  for (std::size_t c = 0; c < all.size(); ++c) figure.panels.push_back(pairs(kDrawers[c], all[c]));
   return figure;
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr int kFrames = 30;       // poses of an animation, evenly along the stroke
 constexpr double kSeconds = 5;    // of a round: drawing, then a rest
 constexpr double kDrawing = 0.8;  // share of it that is drawing
-constexpr double kCell = 240, kGap = 8;
+constexpr double kStrokesCell = 240, kStrokesGap = 8;
 
 struct Point {
   double x, y;  // m
@@ -88,7 +88,7 @@ class View {
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       }
     middle_ = {(low.x + high.x) / 2, (low.y + high.y) / 2};
-    scale_ = 0.88 * kCell / std::max({high.x - low.x, high.y - low.y, 1e-6});
+    scale_ = 0.88 * kStrokesCell / std::max({high.x - low.x, high.y - low.y, 1e-6});
   }
   std::string operator()(const Points& line) const {
     std::string text;
@@ -96,8 +96,8 @@ class View {
     if (!text.empty()) text.pop_back();
     return text;
   }
-  double x(const Point& p) const { return kCell / 2 + scale_ * (p.x - middle_.x); }
-  double y(const Point& p) const { return kCell / 2 - scale_ * (p.y - middle_.y); }
+  double x(const Point& p) const { return kStrokesCell / 2 + scale_ * (p.x - middle_.x); }
+  double y(const Point& p) const { return kStrokesCell / 2 - scale_ * (p.y - middle_.y); }
 
  private:
   Point middle_{};
@@ -159,7 +159,8 @@ Figure strokes_figure(const Evidence& evidence) {
   for (std::size_t i = 0; i < strokes.size(); ++i) {
     const auto column = static_cast<double>(i % kColumns), row = static_cast<double>(i / kColumns);
     body += fmt::format("<g class=\"moving\" transform=\"translate({},{})\">\n{}</g>\n",
-                        column * (kCell + kGap), row * (kCell + kGap), cell(strokes[i]));
+                        column * (kStrokesCell + kStrokesGap), row * (kStrokesCell + kStrokesGap),
+                        cell(strokes[i]));
     for (std::size_t k = 0; k < strokes[i].pen.size(); ++k) {
       const std::string series = std::to_string(strokes[i].label);
       figure.table.add("Strokes", series, static_cast<double>(k), "x", strokes[i].pen[k].x);
@@ -167,8 +168,10 @@ Figure strokes_figure(const Evidence& evidence) {
     }
   }
   const double rows = std::ceil(static_cast<double>(strokes.size()) / kColumns);
-  figure.panels.push_back(
-      {"Digits as strokes", {kColumns * (kCell + kGap) - kGap, rows * (kCell + kGap) - kGap, body}, 6});
+  figure.panels.push_back({"Digits as strokes",
+                           {kColumns * (kStrokesCell + kStrokesGap) - kStrokesGap,
+                            rows * (kStrokesCell + kStrokesGap) - kStrokesGap, body},
+                           6});
   return figure;
 }
 

@@ -15,7 +15,7 @@
 namespace hbr {
 namespace {
 
-const std::string kSuffix = "_transfer";
+const std::string kTransferred = "_transfer";
 
 struct Pair {
   std::vector<std::uint8_t> arm, robot;  // 784
@@ -132,17 +132,17 @@ Figure substitution_figure(const Evidence& evidence) {
 
 Figure transfer_figure(const Evidence& evidence) {
   Figure figure{.id = "transfer", .title = "The same digits by another robot (the paper’s Fig. 4b)."};
-  const auto stages = evidence.artifacts.stages("", kSuffix);
+  const auto stages = evidence.artifacts.stages("", kTransferred);
   if (stages.empty()) {
     figure.absent = "This run has no other robot that draws the digits.";
     return figure;
   }
   std::string names, measured, framing;
   for (const std::string& stage : stages) {
-    const std::string robot = robot_of(stage, kSuffix);
+    const std::string robot = robot_of(stage, kTransferred);
     const std::vector<Pair> pairs = read_pairs(evidence.artifacts.replications(stage));
     if (pairs.empty()) throw InputError("{} holds no digit", stage);
-    const std::string name = "transfer." + stage.substr(0, stage.size() - kSuffix.size()) + ".";
+    const std::string name = "transfer." + stage.substr(0, stage.size() - kTransferred.size()) + ".";
     const auto boxes = [&](const std::vector<std::string>& measures, const BoxOptions& options) {
       std::vector<std::string> quantities;
       for (const std::string& measure : measures) quantities.push_back(name + measure);

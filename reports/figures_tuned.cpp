@@ -16,7 +16,7 @@
 namespace hbr {
 namespace {
 
-const std::string kSuffix = "_tuned";
+const std::string kTuned = "_tuned";
 constexpr std::size_t kPixels = 784;
 
 // The states of a robot's layers, as files and statistics call them.
@@ -75,8 +75,8 @@ Panel worst_panel(const std::string& robot, const std::vector<Digit>& digits) {
 Figure tuned_figure(const Evidence& evidence) {
   Figure figure{.id = "tuned", .title = "Fine-tuning: the arm’s layers evolve on over the robot."};
   std::string gains;
-  for (const std::string& stage : evidence.artifacts.stages("", kSuffix)) {
-    const std::string id = stage.substr(0, stage.size() - kSuffix.size()), robot = robot_title(id),
+  for (const std::string& stage : evidence.artifacts.stages("", kTuned)) {
+    const std::string id = stage.substr(0, stage.size() - kTuned.size()), robot = robot_title(id),
                       name = "tuned." + id + ".", arm = "tuned.arm.";
     if (id == "arm") continue;  // the control, beside each robot
     figure.panels.push_back(worst_panel(robot, read_digits(evidence.artifacts.replications(stage))));

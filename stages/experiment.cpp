@@ -447,7 +447,7 @@ class Experiment {
 };
 
 // The profile with a variation's changes, read as strictly as the profile itself.
-Profile varied(const SettingsSource& source, std::size_t index, const Variation& variation) {
+Profile varied(const SettingsSource& source, std::size_t index, const ProfileVariation& variation) {
   const SettingsSource changes = part_of(source, fmt::format("/variations/{}/set", index));
   for (const char* key : {"name", "variations"})
     if (changes.values.contains(key)) {
@@ -465,7 +465,7 @@ Profile varied(const SettingsSource& source, std::size_t index, const Variation&
 void check_variations(const std::string& file, const Profile& profile, const Graph& graph) {
   std::set<std::string> taken{"all", "page", "report"};
   for (const Node& node : graph) taken.insert({node.stage, node.stage.substr(0, node.stage.find('_'))});
-  for (const Variation& v : profile.variations) {
+  for (const ProfileVariation& v : profile.variations) {
     check_name(file, "variations", v.name);
     if (!taken.insert(v.name).second)
       throw InputError("{}: variations: name '{}' stands twice, or is a stage's", file, v.name);
@@ -481,7 +481,7 @@ Node report_of(const Profile& profile, const Graph& graph) {
                     speed = "reports/reference/bench.json";
   json settings = {
       {"claims", claims}, {"readings", readings}, {"speed", speed}, {"variations", json::array()}};
-  for (const Variation& v : profile.variations)
+  for (const ProfileVariation& v : profile.variations)
     settings["variations"].push_back({{"name", v.name}, {"changes", v.changes}});
   std::vector<std::pair<std::string, std::string>> inputs;
   for (const Node& node : graph)
@@ -497,7 +497,7 @@ Graph experiment_graph(const std::filesystem::path& file) {
   Graph graph = Experiment(profile, file.string()).graph();
   check_variations(file.string(), profile, graph);
   for (std::size_t i = 0; i < profile.variations.size(); ++i) {
-    const Variation& v = profile.variations[i];
+    const ProfileVariation& v = profile.variations[i];
     const std::string where = fmt::format("{}: variation '{}'", file.string(), v.name);
     const std::size_t before = graph.size();
     add_variation(graph, v.name, Experiment(varied(source, i, v), where).graph());

@@ -171,13 +171,13 @@ void describe(Fields& f, SearchesTable& s) {
 }
 
 // The same experiment with some keys changed: what it does not touch is not run again.
-struct Variation {
+struct ProfileVariation {
   std::string name;
   std::string changes;
   nlohmann::json set;
 };
 template <class Fields>
-void describe(Fields& f, Variation& s) {
+void describe(Fields& f, ProfileVariation& s) {
   f.text("name", s.name, "of the make goal and of the folder below OUT");
   f.text("changes", s.changes, "which reading it changes, a sentence for the report");
   f.raw_table("set", s.set, "the keys of the profile that it changes, in their tables");
@@ -222,7 +222,7 @@ struct Profile {
   DynamicsTable dynamics;
   TuningTable tuning;
   std::vector<RobotSettings> robots;
-  std::vector<Variation> variations;
+  std::vector<ProfileVariation> variations;
 };
 template <class Fields>
 void describe(Fields& f, Profile& s) {

@@ -9,6 +9,9 @@
 
 namespace hbr {
 
+// Images that a fit takes at a time; fixed, as it decides how sums are rounded.
+inline constexpr Eigen::Index kFittedTogether = 512;
+
 struct ImageTile {
   net::Lanes pixels[net::kPixels] = {};
   int images = 0;

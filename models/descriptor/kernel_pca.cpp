@@ -5,14 +5,12 @@
 
 #include "models/descriptor/image_tile.h"
 #include "pipeline/core/check.h"
+#include "pipeline/drawing/draw.h"
 
 namespace hbr {
 namespace {
 
 using net::Lanes;
-
-constexpr Eigen::Index kPixels = net::kPixels;
-constexpr Eigen::Index kBlock = 512;  // images at a time; fixed, as it decides how sums are rounded
 
 // Of all rows of a with all rows of b.
 Eigen::MatrixXd gaussian(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double gamma) {
@@ -25,7 +23,7 @@ Eigen::MatrixXd gaussian(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, dou
 // Kernel values of a tile's images with every landmark.
 void kernel_values(const ImageTile& tile, const Rows& landmarks, const Rows& squares, float gamma,
                    Lanes* values) {
-  multiply(landmarks.rows(), kPixels, landmarks.data(), nullptr, tile.pixels, values);
+  multiply(landmarks.rows(), kImagePixels, landmarks.data(), nullptr, tile.pixels, values);
   if (gamma == 0) return;
   Lanes square{};
   for (const Lanes& pixel : tile.pixels) square += pixel * pixel;
@@ -44,7 +42,7 @@ KernelPca::KernelPca(const KernelPcaSettings& settings, std::span<const std::uin
   const Rows images = as_images(bytes);
   const Eigen::Index n = images.rows(), m = settings.landmarks;
   if (m > n) throw InputError("kernel PCA: landmarks = {}; expected at most the {} training images", m, n);
-  landmarks_.resize(m, kPixels);
+  landmarks_.resize(m, kImagePixels);
   for (Eigen::Index i = 0; i < m; ++i) landmarks_.row(i) = images.row(i * n / m);
   squares_ = landmarks_.rowwise().squaredNorm().transpose();
   fit_components(dimension);
@@ -89,9 +87,9 @@ void KernelPca::fit_way_back(const Rows& images, const Rows& positions, double r
   mean_ = images.cast<double>().colwise().mean().cast<float>();
   const Eigen::MatrixXd centres = centres_.cast<double>();
   const Eigen::Index m = centres.rows();
-  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(m, m), targets = Eigen::MatrixXd::Zero(m, kPixels);
-  for (Eigen::Index begin = 0; begin < images.rows(); begin += kBlock) {
-    const Eigen::Index rows = std::min(kBlock, images.rows() - begin);
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(m, m), targets = Eigen::MatrixXd::Zero(m, kImagePixels);
+  for (Eigen::Index begin = 0; begin < images.rows(); begin += kFittedTogether) {
+    const Eigen::Index rows = std::min(kFittedTogether, images.rows() - begin);
     const Eigen::MatrixXd kernel =
         gaussian(centres, positions.middleRows(begin, rows).cast<double>(), preimage_gamma_);
     system.selfadjointView<Eigen::Lower>().rankUpdate(kernel);
@@ -120,13 +118,13 @@ KernelPca::KernelPca(const Hdf5Reader& file)
     : ReconstructingDescriptor(read_dimension(file)),
       gamma_(static_cast<float>(file.number_attribute("gamma"))),
       preimage_gamma_(static_cast<float>(file.number_attribute("preimage_gamma"))),
-      landmarks_(read_matrix(file, "kernel_pca/landmarks", -1, kPixels)),
+      landmarks_(read_matrix(file, "kernel_pca/landmarks", -1, kImagePixels)),
       squares_(landmarks_.rowwise().squaredNorm().transpose()),
       components_(read_matrix(file, "kernel_pca/components", dimension(), landmarks_.rows())),
       origin_(read_matrix(file, "kernel_pca/origin", 1, dimension())),
       centres_(read_matrix(file, "kernel_pca/centres", landmarks_.rows(), dimension())),
-      mean_(read_matrix(file, "kernel_pca/mean", 1, kPixels)),
-      painter_(read_matrix(file, "kernel_pca/painter", kPixels, landmarks_.rows())) {}
+      mean_(read_matrix(file, "kernel_pca/mean", 1, kImagePixels)),
+      painter_(read_matrix(file, "kernel_pca/painter", kImagePixels, landmarks_.rows())) {}
 
 void KernelPca::reconstruct(Eigen::Index n, const float* images, float* position, float* decoded) const {
   const Eigen::Index dim = dimension(), m = landmarks_.rows();
@@ -144,8 +142,8 @@ void KernelPca::reconstruct(Eigen::Index n, const float* images, float* position
       }
       values[static_cast<std::size_t>(j)] = net::exp(-preimage_gamma_ * distance);
     }
-    multiply(kPixels, m, painter_.data(), mean_.data(), values.get(), tile.pixels);
-    store_lanes(tile, kPixels, tile.pixels, decoded + first * kPixels);
+    multiply(kImagePixels, m, painter_.data(), mean_.data(), values.get(), tile.pixels);
+    store_lanes(tile, kImagePixels, tile.pixels, decoded + first * kImagePixels);
   });
 }
 

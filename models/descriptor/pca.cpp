@@ -3,25 +3,23 @@
 #include <Eigen/Eigenvalues>
 
 #include "models/descriptor/image_tile.h"
+#include "pipeline/drawing/draw.h"
 
 namespace hbr {
 namespace {
 
-constexpr Eigen::Index kPixels = net::kPixels;
-constexpr Eigen::Index kBlock = 512;  // images at a time; fixed, as it decides how sums are rounded
-
 // The leading eigenvectors of the images' covariance, as rows.
 Rows leading_directions(const Rows& images, const Rows& mean, int count) {
-  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(kPixels, kPixels);
-  for (Eigen::Index begin = 0; begin < images.rows(); begin += kBlock) {
-    const Eigen::Index rows = std::min(kBlock, images.rows() - begin);
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(kImagePixels, kImagePixels);
+  for (Eigen::Index begin = 0; begin < images.rows(); begin += kFittedTogether) {
+    const Eigen::Index rows = std::min(kFittedTogether, images.rows() - begin);
     const Rows centred = images.middleRows(begin, rows).rowwise() - mean.row(0);
     covariance.selfadjointView<Eigen::Lower>().rankUpdate(centred.cast<double>().transpose());
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
-  Rows directions(count, kPixels);
+  Rows directions(count, kImagePixels);
   for (int d = 0; d < count; ++d) {
-    Eigen::VectorXd v = solver.eigenvectors().col(kPixels - 1 - d);
+    Eigen::VectorXd v = solver.eigenvectors().col(kImagePixels - 1 - d);
     Eigen::Index greatest;
     v.cwiseAbs().maxCoeff(&greatest);
     if (v[greatest] < 0) v = -v;
@@ -39,15 +37,15 @@ PrincipalComponents::PrincipalComponents(std::span<const std::uint8_t> bytes, in
   mean_ = images.cast<double>().colwise().mean().cast<float>();
   basis_ = leading_directions(images, mean_, dimension);
   basis_of_pixels_ = basis_.transpose();
-  Rows raw(images.rows(), dimension), decoded(images.rows(), kPixels);
+  Rows raw(images.rows(), dimension), decoded(images.rows(), kImagePixels);
   reconstruct(images.rows(), images.data(), raw.data(), decoded.data());
   placement_ = fill_unit_box(raw);
 }
 
 PrincipalComponents::PrincipalComponents(const Hdf5Reader& file)
     : ReconstructingDescriptor(read_dimension(file)),
-      mean_(read_matrix(file, "pca/mean", 1, kPixels)),
-      basis_(read_matrix(file, "pca/basis", dimension(), kPixels)),
+      mean_(read_matrix(file, "pca/mean", 1, kImagePixels)),
+      basis_(read_matrix(file, "pca/basis", dimension(), kImagePixels)),
       basis_of_pixels_(basis_.transpose()),
       placement_(read_placement(file, dimension())) {}
 
@@ -55,11 +53,11 @@ void PrincipalComponents::reconstruct(Eigen::Index n, const float* images, float
                                       float* decoded) const {
   const Eigen::Index dim = dimension();
   for_image_tiles(n, images, [&](ImageTile& tile, Eigen::Index first) {
-    for (Eigen::Index p = 0; p < kPixels; ++p) tile.pixels[p] -= mean_(0, p);
+    for (Eigen::Index p = 0; p < kImagePixels; ++p) tile.pixels[p] -= mean_(0, p);
     net::Lanes place[net::kMaxLatent];
-    multiply(dim, kPixels, basis_.data(), nullptr, tile.pixels, place);
-    multiply(kPixels, dim, basis_of_pixels_.data(), mean_.data(), place, tile.pixels);
-    store_lanes(tile, kPixels, tile.pixels, decoded + first * kPixels);
+    multiply(dim, kImagePixels, basis_.data(), nullptr, tile.pixels, place);
+    multiply(kImagePixels, dim, basis_of_pixels_.data(), mean_.data(), place, tile.pixels);
+    store_lanes(tile, kImagePixels, tile.pixels, decoded + first * kImagePixels);
     for (Eigen::Index d = 0; d < dim; ++d) place[d] = place[d] * placement_.scale[d] + placement_.offset[d];
     store_lanes(tile, dim, place, position + first * dim);
   });

@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "pipeline/core/check.h"
+#include "pipeline/drawing/draw.h"
 #include "pipeline/qd/dimension.h"
 
 namespace hbr {
 namespace {
 
-constexpr Eigen::Index kPixels = 784, kBlock = 64;
+constexpr Eigen::Index kDescribedTogether = 64;
 
 }  // namespace
 
@@ -20,17 +21,17 @@ ReconstructingDescriptor::ReconstructingDescriptor(Eigen::Index dimension)
 
 void ReconstructingDescriptor::describe(Eigen::Index n, const float* images, float* position,
                                         float* error) const {
-  Rows decoded(std::min(n, kBlock), kPixels);
-  for (Eigen::Index begin = 0; begin < n; begin += kBlock) {
-    const Eigen::Index count = std::min(kBlock, n - begin);
-    const float* from = images + begin * kPixels;
+  Rows decoded(std::min(n, kDescribedTogether), kImagePixels);
+  for (Eigen::Index begin = 0; begin < n; begin += kDescribedTogether) {
+    const Eigen::Index count = std::min(kDescribedTogether, n - begin);
+    const float* from = images + begin * kImagePixels;
     float* place = position + begin * dimension();
     reconstruct(count, from, place, decoded.data());
     for (Eigen::Index i = 0; i < count; ++i)
-      error[begin + i] = (Eigen::Map<const Eigen::VectorXf>(from + i * kPixels, kPixels) -
-                          Eigen::Map<const Eigen::VectorXf>(decoded.row(i).data(), kPixels))
+      error[begin + i] = (Eigen::Map<const Eigen::VectorXf>(from + i * kImagePixels, kImagePixels) -
+                          Eigen::Map<const Eigen::VectorXf>(decoded.row(i).data(), kImagePixels))
                              .squaredNorm() /
-                         kPixels;
+                         kImagePixels;
     std::transform(place, place + count * dimension(), place,
                    [](float z) { return std::clamp(z, -1.f, 1.f); });
   }
@@ -48,8 +49,8 @@ Placement fill_unit_box(const Rows& raw) {
 }
 
 Rows as_images(std::span<const std::uint8_t> bytes) {
-  const auto n = static_cast<Eigen::Index>(bytes.size()) / kPixels;
-  Rows images(n, kPixels);
+  const auto n = static_cast<Eigen::Index>(bytes.size()) / kImagePixels;
+  Rows images(n, kImagePixels);
   std::transform(bytes.begin(), bytes.end(), images.data(),
                  [](std::uint8_t b) { return static_cast<float>(b) / 255.f; });
   return images;

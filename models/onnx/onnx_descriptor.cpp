@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "pipeline/core/check.h"
+#include "pipeline/drawing/draw.h"
 #include "pipeline/qd/dimension.h"
 
 namespace hbr {
 namespace {
-
-constexpr int kPixels = 784;
 
 cv::dnn::Net read_net(const std::string& model, const std::string& where) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // the exception says it all
@@ -48,10 +47,10 @@ struct Width {
 
 // Of all layers but constants, in the order of execution, given a black image of the first shape that fits.
 std::vector<Width> widths(const std::string& model, const std::string& where, std::vector<int>& shape) {
-  const std::vector<float> black(kPixels, 0.f);
+  const std::vector<float> black(kImagePixels, 0.f);
   std::string complaint;
   for (const std::vector<int>& candidate :
-       {std::vector<int>{1, kPixels}, std::vector<int>{1, 1, 28, 28}, std::vector<int>{1, 28, 28, 1}}) {
+       {std::vector<int>{1, kImagePixels}, std::vector<int>{1, 1, 28, 28}, std::vector<int>{1, 28, 28, 1}}) {
     cv::dnn::Net net = read_net(model, where);
     std::vector<std::string> layers = net.getLayerNames();
     std::erase_if(
@@ -83,7 +82,7 @@ struct OnnxDescriptor::Network {
     for (const Width& w : all) {
       if (!w.output) continue;
       sizes.push_back(w.numbers);
-      if (w.numbers == kPixels) images.push_back(w);
+      if (w.numbers == kImagePixels) images.push_back(w);
       if (w.numbers <= kMostDimensions) places.push_back(w);
     }
     if (images.size() != 1)
@@ -148,14 +147,14 @@ void OnnxDescriptor::reconstruct(Eigen::Index n, const float* images, float* pos
   auto net = network_->borrow();
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::vector<cv::Mat> values =
-        run(*net, network_->shape, images + i * kPixels, {network_->position, network_->decoded});
+        run(*net, network_->shape, images + i * kImagePixels, {network_->position, network_->decoded});
     const Eigen::Map<const Eigen::VectorXf> place(values[0].ptr<float>(), dim),
-        image(values[1].ptr<float>(), kPixels);
+        image(values[1].ptr<float>(), kImagePixels);
     if (!place.allFinite() || !image.allFinite())
       throw InputError("{}: what the network makes of an image is not a finite number", network_->where);
     for (Eigen::Index d = 0; d < dim; ++d)
       position[i * dim + d] = place[d] * placement_.scale[d] + placement_.offset[d];
-    std::copy_n(image.data(), kPixels, decoded + i * kPixels);
+    std::copy_n(image.data(), kImagePixels, decoded + i * kImagePixels);
   }
   network_->give_back(std::move(net));
 }

@@ -16,7 +16,7 @@ constexpr std::array<const char*, 9> kRegions = {"the lower left", "the bottom",
 
 constexpr std::size_t kNamed = 3;
 
-struct Part {
+struct AreaPart {
   const char* region;
   int points = 0;
   double farthest = 0;  // m
@@ -34,7 +34,7 @@ std::string missing_part(const std::vector<Eigen::Vector2d>& points, const std::
   HBR_CHECK(points.size() == distances.size(), "points {}, distances {}", points.size(), distances.size());
   Eigen::AlignedBox2d area;
   for (const Eigen::Vector2d& p : points) area.extend(p);
-  std::array<Part, 9> parts;
+  std::array<AreaPart, 9> parts;
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i].region = kRegions[i];
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (distances[i] <= tolerance) continue;
@@ -42,15 +42,15 @@ std::string missing_part(const std::vector<Eigen::Vector2d>& points, const std::
       const double size = std::max(area.sizes()[axis], 1e-300);
       return std::clamp(static_cast<int>(3 * (points[i][axis] - area.min()[axis]) / size), 0, 2);
     };
-    Part& part = parts[3 * third(1) + third(0)];
+    AreaPart& part = parts[3 * third(1) + third(0)];
     ++part.points;
     part.farthest = std::max(part.farthest, distances[i]);
   }
-  std::ranges::stable_sort(parts, std::greater(), &Part::points);
+  std::ranges::stable_sort(parts, std::greater(), &AreaPart::points);
   std::string words;
   int elsewhere = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Part& part = parts[i];
+    const AreaPart& part = parts[i];
     if (i >= kNamed) elsewhere += part.points;
     if (i >= kNamed || part.points == 0) continue;
     const double mm = 1000 * part.farthest;

@@ -27,7 +27,7 @@ std::string read(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-const nlohmann::json kClaims = nlohmann::json::parse(R"([
+const nlohmann::json kVerdicts = nlohmann::json::parse(R"([
   {"id": "a", "statement": "1 < 2 & <i>so on</i>", "place": "5.1", "paper": "2.3", "ours": "2.4", "verdict": "reproduced", "indication": "reproduced",
    "reason": ""},
   {"id": "b", "statement": "s", "place": "5.2", "paper": "p", "ours": "–", "verdict": "not at this size", "indication": "partly", "reason": "r"}])");
@@ -51,7 +51,7 @@ class ReportTest : public testing::Test {
     return {"reduced",
             Artifacts(pictures_.artifacts()),
             nlohmann::json::parse(read(fs::path(HBR_SOURCE_DIR) / "tests/reports/fixtures/statistics.json")),
-            kClaims,
+            kVerdicts,
             kReadings,
             {},
             kSpeed};
@@ -78,7 +78,7 @@ TEST_F(ReportTest, GivesTheSameBytesTwice) {
                              "tuned", "lines", "arcs", "arc_quality"})
     for (const char* kind : {".svg", ".pdf", ".csv"})
       EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
-  EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kClaims);
+  EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kVerdicts);
   EXPECT_EQ(nlohmann::json::parse(one.at("speed.json")), kSpeed);
   EXPECT_THAT(one.at("index.html"), HasSubstr("<td>looking up</td><td>2 M look-ups</td>"));
   EXPECT_EQ(nlohmann::json::parse(one.at("statistics.json")), content.statistics);

@@ -8,12 +8,10 @@
 #include <sstream>
 
 #include "pipeline/core/random.h"
+#include "tests/models/nao/right_arm.h"
 
 namespace hbr {
 namespace {
-
-const std::string kUrdf = HBR_SOURCE_DIR "/models/nao/nao.urdf";
-const std::vector<std::string> kRightArm = {"RShoulderPitch", "RShoulderRoll", "RElbowYaw", "RElbowRoll"};
 
 // The right hand in the torso's frame, solved by hand from the lengths of the arm.
 Eigen::Vector3d hand(const double* q) {

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "models/simbody/servos.h"
+#include "tests/models/nao/right_arm.h"
 
 namespace hbr {
 namespace {
-
-const std::vector<std::string> kRightArm{"RShoulderPitch", "RShoulderRoll", "RElbowYaw", "RElbowRoll"};
 
 void dynamics(benchmark::State& state) {
   const bool whole = state.range(0) != 0;

@@ -10,12 +10,11 @@
 #include "models/simbody/body.h"
 #include "models/simbody/find_mesh.h"
 #include "models/simbody/mesh_file.h"
+#include "tests/models/nao/right_arm.h"
 #include "tests/models/simbody/urdf_text.h"
 
 namespace hbr {
 namespace {
-
-const std::string kUrdf = HBR_SOURCE_DIR "/models/nao/nao.urdf";
 
 // Vertices at the same place made one.
 std::vector<int> welded(const Mesh& mesh) {

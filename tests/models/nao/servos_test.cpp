@@ -1,5 +1,6 @@
 // NAO under gravity: what its ankle bears, and a stroke drawn by its arm and by its whole body.
 #include "models/simbody/servos.h"
+#include "tests/models/nao/right_arm.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@
 namespace hbr {
 namespace {
 
-const std::vector<std::string> kRightArm = {"RShoulderPitch", "RShoulderRoll", "RElbowYaw", "RElbowRoll"};
 const std::map<std::string, double> kRest{{"LHipPitch", -0.3},     {"LKneePitch", 0.6}, {"LAnklePitch", -0.3},
                                           {"RHipPitch", -0.3},     {"RKneePitch", 0.6}, {"RAnklePitch", -0.3},
                                           {"LShoulderPitch", 1.45}};

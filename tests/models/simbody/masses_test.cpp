@@ -16,10 +16,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Kind = MassFault::Kind;
 
-RobotModel load(const std::string& inside) {
-  const TestFolder folder;
-  return load_urdf(folder.write("a.urdf", robot(inside)));
-}
 std::string moments(double x, double y, double z) {
   return fmt::format(R"(ixx="{}" iyy="{}" izz="{}")", x, y, z);
 }

@@ -15,10 +15,6 @@ using testing::HasSubstr;
 
 const std::string kNao = HBR_SOURCE_DIR "/models/nao/nao.urdf";
 
-RobotModel load(const std::string& inside) {
-  const TestFolder folder;
-  return load_urdf(folder.write("a.urdf", robot(inside)));
-}
 std::string at(double x, const std::string& name, const std::string& parent, const std::string& child,
                const std::string& more) {
   return fmt::format(

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "models/simbody/robot_model.h"
+
 namespace hbr {
 
 // A folder that is gone with the test.
@@ -48,6 +50,11 @@ inline std::string joint(const std::string& name, const std::string& parent, con
 }
 inline std::string robot(const std::string& inside) {
   return "<?xml version=\"1.0\"?>\n<robot name=\"test\">\n" + inside + "</robot>\n";
+}
+// The robot of these parts.
+inline RobotModel load(const std::string& inside) {
+  const TestFolder folder;
+  return load_urdf(folder.write("a.urdf", robot(inside)));
 }
 
 }  // namespace hbr

@@ -12,31 +12,31 @@ namespace {
 
 using testing::HasSubstr;
 
-struct Part {
+struct SmallPart {
   std::string name;
   int size = 0;
 };
 template <class Fields>
-void describe(Fields& f, Part& s) {
+void describe(Fields& f, SmallPart& s) {
   f.text("name", s.name, "part");
   f.number("size", s.size, Range{1, 9}, "its size");
 }
 
-struct Search {
+struct SmallSearch {
   int batch = 0;
   double spacing = 0;
 };
 template <class Fields>
-void describe(Fields& f, Search& s) {
+void describe(Fields& f, SmallSearch& s) {
   f.number("batch", s.batch, Range{1, 100}, "children");
   f.number("spacing", s.spacing, Range{0, 1}, "distance");
 }
 
 struct Small {
   std::string name;
-  Search search;
+  SmallSearch search;
   std::vector<double> links;
-  std::vector<Part> parts;
+  std::vector<SmallPart> parts;
 };
 template <class Fields>
 void describe(Fields& f, Small& s) {

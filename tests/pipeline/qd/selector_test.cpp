@@ -9,7 +9,7 @@ namespace hbr {
 namespace {
 
 // The same life for a curiosity selector and a plain list of scores.
-struct Life {
+struct PlainLife {
   CuriositySelector selector;
   std::vector<double> scores;
   void lives(int steps, Rng& rng) {
@@ -30,7 +30,7 @@ struct Life {
 };
 
 TEST(CuriositySelector, DrawsInProportionToTheScoreAboveTheLowest) {
-  Life life;
+  PlainLife life;
   Rng rng(Seed(9));
   life.lives(60, rng);
   const double floor = std::min(0.0, *std::min_element(life.scores.begin(), life.scores.end()));
@@ -47,7 +47,7 @@ TEST(CuriositySelector, DrawsInProportionToTheScoreAboveTheLowest) {
 }
 
 TEST(CuriositySelector, KeepsTheScoresOfALongLife) {
-  Life life;
+  PlainLife life;
   Rng rng(Seed(10));
   life.lives(20000, rng);
   const std::vector<std::int64_t> halves = life.selector.memory();

@@ -13,9 +13,9 @@ namespace {
 TEST(StatisticsTable, QuantitiesInTheOrderOfReplications) {
   StatisticsTable table("tiny");
   for (const int r : {2, 0, 1}) table.add("layer1.size", r, 10.0 * r);
-  const nlohmann::json json = table.json();
-  EXPECT_EQ(json["profile"], "tiny");
-  const nlohmann::json& size = json["quantities"]["layer1.size"];
+  const nlohmann::json written = table.json();
+  EXPECT_EQ(written["profile"], "tiny");
+  const nlohmann::json& size = written["quantities"]["layer1.size"];
   EXPECT_EQ(size["values"], (std::vector<double>{0, 10, 20}));
   EXPECT_EQ(size["replications"], (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(size["n"], 3);
