@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/qd/cvt_archive.h"
 #include "pipeline/qd/distance_archive.h"
@@ -44,7 +45,7 @@ void write_checkpoint(const std::filesystem::path& path, const SearchState& stat
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](auto a, auto b) { return state.elites.id[a] < state.elites.id[b]; });
-  const std::filesystem::path unfinished = path.string() + ".new";
+  const std::filesystem::path unfinished = temporary_beside(path);
   Hdf5Writer file(unfinished);
   write_elites(file, in_order(state.elites, order), state.progress);
   file.write("slot", order);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 #include "pipeline/qd/distance_archive.h"
 #include "pipeline/qd/grid_archive.h"
@@ -58,7 +59,7 @@ void write_transplant(const std::filesystem::path& checkpoint, const SearchTable
   std::ranges::sort(slots, {}, [&](std::int32_t slot) { return kept.id[static_cast<std::size_t>(slot)]; });
   const std::vector<std::int64_t> curiosity(table.selector == "curiosity" ? slots.size() : 0, 0);
 
-  const std::filesystem::path unfinished = checkpoint.string() + ".new";
+  const std::filesystem::path unfinished = temporary_beside(checkpoint);
   Hdf5Writer file(unfinished);
   write_elites(file, in_order(kept, slots), {});
   file.write("slot", slots);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 
 namespace hbr::net {
@@ -40,7 +41,7 @@ TrainingState::TrainingState(const AutoencoderSettings& settings, Seed seed, std
 
 void write_checkpoint(const std::filesystem::path& path, const std::string& identity,
                       const TrainingState& state) {
-  const std::filesystem::path fresh = path.string() + ".new";
+  const std::filesystem::path fresh = temporary_beside(path);
   Hdf5Writer file(fresh);
   file.attribute("identity", identity);
   write_floats(file, "parameters", state.network.parameters);

@@ -15,9 +15,10 @@
 namespace hbr {
 namespace {
 
-volatile std::sig_atomic_t child_to_signal = 0;
+volatile std::sig_atomic_t child_to_signal = 0, stopped = 0;
 
 void hand_on(int signal) {
+  stopped = 1;
   if (child_to_signal > 0) ::kill(child_to_signal, signal);
 }
 
@@ -29,6 +30,7 @@ void end_with_parent(int parent) {
 }
 
 ChildResult run_child(const std::vector<std::string>& command) {
+  if (stopped) return {-1, SIGTERM, true, 0};
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
@@ -74,6 +76,7 @@ ChildResult run_child(const std::vector<std::string>& command) {
   ChildResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  result.stopped = stopped;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   return result;
 }

@@ -23,10 +23,7 @@ namespace {
 
 fs::path claim_path(const fs::path& out) { return out / ".plan/claim"; }
 
-std::optional<Process> holder_of(const fs::path& out) {
-  std::ifstream file(claim_path(out));
-  return process_of(std::string{std::istreambuf_iterator<char>(file), {}});
-}
+std::optional<Process> holder_of(const fs::path& out) { return process_of(claim_of(out)); }
 
 [[noreturn]] void fail(const fs::path& out) {
   throw file_error(out, "can't write to this output folder", errno);
@@ -68,12 +65,14 @@ void judge(const fs::path& out, const Process& own, std::chrono::seconds silent)
 
 }  // namespace
 
+std::string claim_of(const fs::path& out) {
+  std::ifstream file(claim_path(out));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 void claim_folder(const fs::path& out, const Process& holder) {
   const fs::path claim = claim_path(out);
-  const struct Own {
-    ~Own() { ::unlink(path.c_str()); }
-    const fs::path path;
-  } own{temporary_beside(claim)};
+  const Temporary own(temporary_beside(claim));
   std::ofstream(own.path) << text_of(holder) << std::flush;
   if (!fs::exists(own.path) || fs::file_size(own.path) == 0) fail(out);
   while (!put(own.path, claim)) {

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <string>
 
 #include "pipeline/artifact/process.h"
 
@@ -17,6 +18,9 @@ constexpr std::chrono::seconds kHeartbeat{20}, kSilence{300};
 // Claims the folder for a process. Says on stderr where it takes the place of one that is gone; throws
 // InputError where another holder lives.
 void claim_folder(const std::filesystem::path& out, const Process& holder);
+
+// What stands in the claim; empty where there is none.
+std::string claim_of(const std::filesystem::path& out);
 
 // In a process of its own, the child of `holder`: gives signs of life until the holder has ended, then leaves
 // the claim and ends. Where another took the claim meanwhile (this host was silent for too long) the holder

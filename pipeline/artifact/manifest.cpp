@@ -1,5 +1,6 @@
 #include "pipeline/artifact/manifest.h"
 
+#include <algorithm>
 #include <set>
 
 #include "pipeline/artifact/json_file.h"
@@ -13,18 +14,25 @@ nlohmann::json ingredients_json(const Ingredients& from) {
       {"slice", from.slice}, {"program", from.program}, {"inputs", from.inputs}, {"sources", from.sources}};
 }
 
-// A record may have more than is known here (a later version's): numbers and texts all the same.
+// A record may have more than is known here (a later version's): numbers and texts all the same, or lists of
+// texts.
 void check_record(const nlohmann::json& run, const std::string& where) {
-  const std::set<std::string> numbers{"seconds",           "cpu_seconds", "waited_seconds",
-                                      "peak_memory_bytes", "exit",        "threads"};
+  const std::set<std::string> numbers{"seconds", "cpu_seconds", "waited_seconds", "peak_memory_bytes",
+                                      "exit",    "threads",     "tries"};
   const std::set<std::string> texts{"started",      "host",      "launch", "version",  "compiler",
                                     "architecture", "processor", "flags",  "libraries"};
   for (const auto& [key, value] : run.items()) {
+    if (key == "failures" && value.is_array() &&
+        std::ranges::all_of(value, [](const nlohmann::json& each) { return each.is_string(); }))
+      continue;
     const bool is_number = value.is_number() && value.get<double>() >= 0;
     if (texts.contains(key) ? value.is_string() : is_number || (value.is_string() && !numbers.contains(key)))
       continue;
     throw InputError("{}: run.{}: expected {}, found {}", where, key,
-                     numbers.contains(key) ? "a number from 0" : "a text", value.dump());
+                     numbers.contains(key) ? "a number from 0"
+                     : key == "failures"   ? "a list of texts"
+                                           : "a text",
+                     value.dump());
   }
 }
 

@@ -37,6 +37,8 @@ int guarded_main(const std::string& name, const std::function<int()>& body) {
     return told(name, "", error.what(), 2);
   } catch (const fs::filesystem_error& error) {
     return told(name, "", file_error(error).what(), 2);
+  } catch (const StageFailure& failure) {
+    return told(name, "", failure.what(), 1);
   } catch (const std::bad_alloc&) {
     return told(name, "", out_of_memory(), 3);
   } catch (const std::system_error& error) {  // a thread that can't be started, mostly

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <set>
 
 #include "pipeline/artifact/child.h"
+#include "pipeline/artifact/launch.h"
 #include "pipeline/artifact/progress.h"
-#include "pipeline/artifact/record.h"
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 
@@ -23,17 +22,6 @@ fs::path checkpoint_path(const fs::path& artifact, const std::string& key) {
   return artifact.parent_path() /
          fmt::format("{}{}-{}", kCheckpoint, key.substr(0, 16), artifact.filename().string());
 }
-
-// Gone with this, whatever happens, unless it became something else before.
-struct Temporary {
-  explicit Temporary(fs::path where) : path(std::move(where)) {}
-  ~Temporary() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  Temporary(const Temporary&) = delete;
-  const fs::path path;
-};
 
 void remove_other_checkpoints(const fs::path& artifact, const fs::path& kept) {
   for (const auto& entry : fs::directory_iterator(artifact.parent_path())) {
@@ -53,24 +41,20 @@ void replace(const fs::path& artifact, const fs::path& output) {
   fs::rename(output, artifact);
 }
 
-[[noreturn]] void fail(const Node& node, const ChildResult& child) {
-  if (child.signal)
-    throw InputError("{}: {} was ended by a signal: {}", name_of(node), node.program,
-                     ::strsignal(child.signal));
-  throw InputError("{}: {} failed with exit code {}", name_of(node), node.program, child.exit_code);
-}
-
-nlohmann::json run_facts(const RunRecord& record, const ChildResult& child, const RunOptions& options) {
+nlohmann::json run_facts(const RunRecord& record, double waited, const std::vector<std::string>& failures,
+                         const RunOptions& options) {
   nlohmann::json facts = record.toolchain;
   facts.update({{"started", record.started},
-                {"waited_seconds", std::max(0.0, child.seconds - record.seconds)},
+                {"waited_seconds", waited},
                 {"seconds", record.seconds},
                 {"cpu_seconds", record.cpu_seconds},
                 {"peak_memory_bytes", record.peak_memory_bytes},
                 {"exit", record.exit_code},
                 {"host", record.host},
                 {"threads", record.threads},
-                {"launch", options.launch},
+                {"launch", options.handover ? options.handover->launch : options.launch},
+                {"tries", failures.size() + 1},
+                {"failures", failures},
                 {"version", options.version}});
   return facts;
 }
@@ -102,22 +86,45 @@ void check_unchanged(const Workspace& workspace, const Node& node, const Ingredi
                        (workspace.out / output).string());
 }
 
+// Puts what the stage left in the artifact's place, and its manifest beside it.
+void keep(const Workspace& workspace, const Node& node, const Freshness& found, const fs::path& output,
+          nlohmann::json run) {
+  const fs::path artifact = workspace.out / node.output, manifest_file = manifest_path(workspace.out, node);
+  Manifest manifest{found.ingredients, {}, found.key, content_of(output), "", std::move(run)};
+  const std::optional<Manifest> before = look_at(workspace, node, Compare::by_sign).manifest;
+  if (before && before->key == manifest.key && before->content.sha256 != manifest.content.sha256)
+    fmt::print(stderr, "{}: not reproducible: the same ingredients gave other bytes than before\n",
+               name_of(node));
+  sync_to_disk(output);
+  replace(artifact, output);
+  manifest.sign = sign_of(artifact);
+  try {
+    if (fs::is_directory(fs::symlink_status(manifest_file))) fs::remove_all(manifest_file);
+    write_manifest(manifest_file, manifest);
+  } catch (const InputError&) {
+    fs::remove_all(artifact);  // nothing is known of an artifact without its manifest
+    throw;
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> stage_command(const Workspace& workspace, const Node& node,
                                        const RunOptions& options, const StagePlaces& places) {
-  std::vector<std::string> command;
-  if (!options.launch.empty())
-    command = {"/bin/sh", "-c", fmt::format("exec {} \"$@\"", options.launch), "sh"};
-  for (const std::string& word :
-       {(workspace.programs / node.program).string(), std::string("--root"), workspace.out.string(),
-        std::string("--slice"), slice_path(workspace.out, node).string(), std::string("--output"),
-        places.output.string(), std::string("--checkpoint"), places.checkpoint.string(),
-        std::string("--threads"), std::to_string(options.threads)})
-    command.push_back(word);
+  std::vector<std::string> command{(workspace.programs / node.program).string(),
+                                   "--root",
+                                   workspace.out.string(),
+                                   "--slice",
+                                   slice_path(workspace.out, node).string(),
+                                   "--output",
+                                   places.output.string(),
+                                   "--checkpoint",
+                                   places.checkpoint.string(),
+                                   "--threads",
+                                   std::to_string(options.threads)};
   if (!places.record.empty())
     command.insert(command.end(), {"--record", places.record.string(), "--program", places.program});
-  return command;
+  return launched(options.launch, command);
 }
 
 int run_node(const Workspace& workspace, const Node& node, const RunOptions& options) {
@@ -128,44 +135,41 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
   const std::vector<std::string>& sources = found.ingredients.sources;
   if (std::find(sources.begin(), sources.end(), "") != sources.end())
     throw InputError("{}: {}", name, found.why);
-  const fs::path artifact = workspace.out / node.output, manifest_file = manifest_path(workspace.out, node);
+  const fs::path artifact = workspace.out / node.output;
   if (found.state == State::damaged)
     fmt::print(stderr, "{}: {}; it is made again\n", artifact.string(), found.why);
 
   fs::create_directories(artifact.parent_path());
-  const Temporary output(temporary_beside(artifact)), record_file(temporary_beside(artifact, "record"));
   const fs::path checkpoint = checkpoint_path(artifact, found.key);
   remove_other_checkpoints(artifact, checkpoint);
-  const StagePlaces places{output.path, checkpoint, record_file.path, found.ingredients.program};
-  const ChildResult child = run_child(stage_command(workspace, node, options, places));
-  if (child.exit_code == 2) return 2;  // an input error: the stage has said what was wrong
-  if (child.exit_code != 0) fail(node, child);
-  if (!fs::exists(output.path))
-    throw InputError("{}: {} succeeded, but left nothing at {}", name, node.program, output.path.string());
-  const std::optional<RunRecord> record = read_record(record_file.path);
-  if (!record) throw InputError("{}: {} succeeded, but left no record of its run", name, node.program);
-  check_unchanged(workspace, node, found.ingredients);
-
-  Manifest manifest{found.ingredients,       {}, found.key,
-                    content_of(output.path), "", run_facts(*record, child, options)};
-  const std::optional<Manifest> before = look_at(workspace, node, Compare::by_sign).manifest;
-  if (before && before->key == manifest.key && before->content.sha256 != manifest.content.sha256)
-    fmt::print(stderr, "{}: not reproducible: the same ingredients gave other bytes than before\n", name);
-  sync_to_disk(output.path);
-  replace(artifact, output.path);
-  manifest.sign = sign_of(artifact);
-  try {
-    if (fs::is_directory(fs::symlink_status(manifest_file))) fs::remove_all(manifest_file);
-    write_manifest(manifest_file, manifest);
-  } catch (const InputError&) {
-    fs::remove_all(artifact);  // nothing is known of an artifact without its manifest
-    throw;
+  const std::optional<Cost> cost = MeasuredCosts(workspace.out).of(node, options.threads);
+  Tries tries(name, options.retries,
+              options.handover ? options.handover->failures : std::vector<std::string>{});
+  for (;;) {
+    // Names of their own for every try: what was lost on the way may still be writing somewhere.
+    const std::string mark = tries.failed() == 0 ? "" : fmt::format("{}", tries.failed());
+    const Temporary output(temporary_beside(artifact, mark)),
+        record_file(temporary_beside(artifact, "record" + mark));
+    tell_launcher(name, std::max(1, options.threads), request_for(cost, tries.failed()));
+    const ChildResult child = run_child(stage_command(
+        workspace, node, options, {output.path, checkpoint, record_file.path, found.ingredients.program}));
+    const std::optional<RunRecord> record = read_record(record_file.path);
+    if (is_refusal(child, record, options.launch)) return 2;
+    std::string why = failure_of(child, record, options.launch, node.program);
+    if (why.empty() && !fs::exists(output.path))
+      why = fmt::format("{} succeeded, but left nothing at {}", node.program, output.path.string());
+    if (!why.empty()) {
+      tries.fail(why, child.stopped);
+      continue;
+    }
+    check_unchanged(workspace, node, found.ingredients);
+    const double waited = options.waited_seconds + std::max(0.0, child.seconds - record->seconds);
+    keep(workspace, node, found, output.path, run_facts(*record, waited, tries.failures(), options));
+    fs::remove_all(checkpoint);
+    fmt::print(stderr, "{}: made in {}{}\n", name, duration_text(record->seconds),
+               waited < 1 ? "" : fmt::format(", {} after it was launched", duration_text(waited)));
+    return 0;
   }
-  fs::remove_all(checkpoint);
-  const double waited = manifest.run.at("waited_seconds");
-  fmt::print(stderr, "{}: made in {}{}\n", name, duration_text(record->seconds),
-             waited < 1 ? "" : fmt::format(", {} after it was launched", duration_text(waited)));
-  return 0;
 }
 
 void remove_temporaries(const Workspace& workspace, const Graph& graph) {

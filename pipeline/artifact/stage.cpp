@@ -7,6 +7,7 @@
 #include "pipeline/artifact/program.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/record.h"
+#include "pipeline/artifact/threads.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -85,11 +86,12 @@ int stage_main(int argc, char** argv, const char* summary, const std::function<v
   app.add_option("--slice", slice, "the run's settings and inputs (JSON)")->required();
   app.add_option("--output", output, "where to write the artifact")->required();
   app.add_option("--checkpoint", checkpoint, "where to keep what a killed run goes on from")->required();
-  app.add_option("--threads", threads, "threads to use")->check(CLI::Range(1, 4096));
+  app.add_option("--threads", threads, "threads to use; 0: the processors")->check(CLI::Range(0, 4096));
   app.add_option("--record", record, "where to tell the runner what the run cost (JSON)");
   app.add_option("--program", program, "the hash that this program is to have");
   CLI11_PARSE(app, argc, argv);
   std::string name = std::filesystem::path(argv[0]).filename().string();
+  threads = threads_of_stage(threads);
   const int code = guarded_main(name, [&] {
     StageRun stage(slice, root, output, checkpoint, threads);
     name = stage.name();

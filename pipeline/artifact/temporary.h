@@ -12,6 +12,17 @@ namespace hbr {
 // path stands last, so that it keeps its ending.
 std::filesystem::path temporary_beside(const std::filesystem::path& path, const std::string& mark = "");
 
+// Removed with this, whatever happens, unless it became something else before.
+struct Temporary {
+  explicit Temporary(std::filesystem::path where) : path(std::move(where)) {}
+  ~Temporary() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  Temporary(const Temporary&) = delete;
+  const std::filesystem::path path;
+};
+
 constexpr std::chrono::hours kAbandonedAfter{1};
 
 // Removes what processes that have ended left in the folder. Another host's processes can't be seen from

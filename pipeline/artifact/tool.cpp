@@ -7,17 +7,21 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <set>
-#include <sstream>
-#include <thread>
 
 #include "pipeline/artifact/child.h"
+#include "pipeline/artifact/cost.h"
+#include "pipeline/artifact/group.h"
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/lock.h"
 #include "pipeline/artifact/program.h"
+#include "pipeline/artifact/record.h"
 #include "pipeline/artifact/runner.h"
 #include "pipeline/artifact/selection.h"
 #include "pipeline/artifact/settings.h"
 #include "pipeline/artifact/status.h"
+#include "pipeline/artifact/threads.h"
 #include "pipeline/artifact/version.h"
 #include "pipeline/core/file_error.h"
 
@@ -31,45 +35,37 @@ struct Arguments {
   int replication = -1;
   int threads = 0;  // 0: the processors, shared among make's jobs
   std::string make = "make";
-  int parent = 0;      // the make that called; 0 for a person
-  std::string output;  // of `run`
+  int parent = 0;                    // the make that called; 0 for a person
+  double group = 0;                  // seconds of stages that are run by one launch
+  std::vector<std::string> outputs;  // of `run`
+  std::string handover;              // JSON
+  fs::path record;
   Workspace workspace;
   RunOptions run;
 };
 
-// The N of make's -jN; 1 without, 0 for a -j without a number.
-int jobs_of_make() {
-  const char* flags = std::getenv("MAKEFLAGS");
-  if (!flags) return 1;
-  std::istringstream words(flags);
-  for (std::string word; words >> word && word != "--";)
-    if (word.starts_with("-j")) return word.size() == 2 ? 0 : std::atoi(word.c_str() + 2);
-  return 1;
-}
-
-int threads_of_stage(int asked) {
-  if (asked > 0) return asked;
-  const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int jobs = jobs_of_make();
-  return jobs == 0 ? 1 : std::max(1, processors / jobs);
-}
-
 fs::path absolute_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
 
-// What make is to run: a phony target for each node that is not fresh. The order of making is all that make
-// decides; the recipe finds the rest in its environment.
-std::string plan_for_make(const Graph& graph, const std::vector<Freshness>& freshness) {
-  std::set<std::string> listed;
+// What make is to run: a phony target for each group of nodes that are not fresh, called as its first. The
+// order of making is all that make decides; the recipe finds the rest in its environment.
+std::string plan_for_make(const Graph& graph, const std::vector<Group>& groups) {
+  std::map<std::string, std::string> target;  // of an output
+  for (const Group& group : groups)
+    for (const std::size_t node : group) target[graph[node].output] = graph[group.front()].output;
   std::string rules, all;
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    if (freshness[i].state == State::fresh) continue;
-    const Node& node = graph[i];
-    std::string before;
-    for (const auto& [name, output] : node.inputs)
-      if (listed.contains(output)) before += " " + output;
-    listed.insert(node.output);
-    all += " \\\n  " + node.output;
-    rules += fmt::format("\n{}:{}\n\t@exec \"$$HBR_TOOL\" run {}\n", node.output, before, node.output);
+  for (const Group& group : groups) {
+    const std::string& own = graph[group.front()].output;
+    std::set<std::string> before;
+    std::vector<std::string> outputs;
+    for (const std::size_t node : group) {
+      outputs.push_back(graph[node].output);
+      for (const auto& [name, output] : graph[node].inputs)
+        if (const auto made = target.find(output); made != target.end() && made->second != own)
+          before.insert(made->second);
+    }
+    all += " \\\n  " + own;
+    rules += fmt::format("\n{}: {}\n\t@exec \"$$HBR_TOOL\" run {}\n", own, fmt::join(before, " "),
+                         fmt::join(outputs, " "));
   }
   return fmt::format(
       "# Written by hbr make: what is not as the profile says, and in which order to make it.\n"
@@ -85,6 +81,11 @@ std::size_t count_stale(const std::vector<Freshness>& freshness) {
 void nothing_to_do(const Arguments& arguments, const Graph& graph) {
   fmt::print("{}: nothing to do, {} artifacts are as they should be\n", arguments.workspace.out.string(),
              graph.size());
+}
+
+// 0 where each program is to count the processors that it finds where it is launched.
+int threads_to_launch_with(const Arguments& arguments) {
+  return arguments.run.launch.empty() ? threads_of_stage(arguments.threads) : arguments.threads;
 }
 
 void set(const char* name, const std::string& value) { ::setenv(name, value.c_str(), 1); }
@@ -124,22 +125,36 @@ int make(Arguments& arguments, const Graph& graph, const Graph& all) {
     nothing_to_do(arguments, graph);
     return 0;
   }
-  for (std::size_t i = 0; i < graph.size(); ++i)
-    if (freshness[i].state != State::fresh) write_slice(arguments.workspace.out, graph[i]);
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < graph.size(); ++i) {
+    if (freshness[i].state == State::fresh) continue;
+    positions.push_back(i);
+    write_slice(arguments.workspace.out, graph[i]);
+  }
+  const int threads = threads_to_launch_with(arguments);
+  MeasuredCosts costs(arguments.workspace.out);
+  const auto seconds = [&](const Node& node) -> std::optional<double> {
+    const std::optional<Cost> cost = costs.of(node, threads);
+    return cost ? std::optional(cost->seconds) : std::nullopt;
+  };
+  const std::vector<Group> groups = grouped(graph, positions, seconds, arguments.group);
   const fs::path plan = arguments.workspace.out / ".plan/plan.mk";
-  write_whole(plan, plan_for_make(graph, freshness));
-  const int threads = threads_of_stage(arguments.threads);
-  fmt::print("{}: {} of {} artifacts to make, {} to a stage program\n", arguments.workspace.out.string(),
-             stale, graph.size(),
-             threads == 1 ? std::string("one thread") : fmt::format("{} threads", threads));
+  write_whole(plan, plan_for_make(graph, groups));
+  fmt::print("{}: {} of {} artifacts to make{}, {} to a stage program\n", arguments.workspace.out.string(),
+             stale, graph.size(), groups.size() == stale ? "" : fmt::format(" in {} launches", groups.size()),
+             threads == 0   ? std::string("the processors that it is launched on")
+             : threads == 1 ? std::string("one thread")
+                            : fmt::format("{} threads", threads));
   std::fflush(stdout);
 
   set("HBR_TOOL", fs::read_symlink("/proc/self/exe").string());
   set("HBR_OUT", arguments.workspace.out.string());
   set("HBR_PROGRAMS", arguments.workspace.programs.string());
   set("HBR_REPOSITORY", arguments.workspace.repository.string());
-  set("HBR_THREADS", std::to_string(threads_of_stage(arguments.threads)));
+  set("HBR_THREADS", std::to_string(threads));
+  set("HBR_PLACE", this_place());
   set("HBR_LAUNCH", arguments.run.launch);
+  set("HBR_RETRY", std::to_string(arguments.run.retries));
   set("HBR_VERSION", version_of(arguments.workspace.repository));
   set("HBR_MAKE", std::to_string(::getpid()));  // exec keeps the number
   if (jobs_of_make() != 1) set("HBR_PROGRESS", "lines");
@@ -152,7 +167,7 @@ int make(Arguments& arguments, const Graph& graph, const Graph& all) {
 int plan(Arguments& arguments, const Graph& graph) {
   const std::vector<Freshness> freshness = freshness_of(arguments.workspace, graph);
   if (count_stale(freshness) == 0) nothing_to_do(arguments, graph);
-  arguments.run.threads = threads_of_stage(arguments.threads);
+  arguments.run.threads = threads_to_launch_with(arguments);
   for (std::size_t i = 0; i < graph.size(); ++i) {
     if (freshness[i].state == State::fresh) continue;
     const fs::path artifact = arguments.workspace.out / graph[i].output;
@@ -176,15 +191,46 @@ int missing(const Arguments& arguments, const Graph& graph) {
 }
 
 int run(Arguments& arguments) {
-  if (const char* make_process = std::getenv("HBR_MAKE")) {
+  const RunMeter meter;
+  if (const char* make_process = std::getenv("HBR_MAKE"); make_process && arguments.handover.empty()) {
     end_with_parent(std::atoi(make_process));
     leave_lock_to_parent();
   }
   arguments.workspace.remember = true;
-  arguments.run.threads = threads_of_stage(arguments.threads);
-  Node named;
-  named.output = arguments.output;
-  return run_node(arguments.workspace, read_slice(slice_path(arguments.workspace.out, named)), arguments.run);
+  arguments.run.threads = threads_to_launch_with(arguments);
+  std::vector<Node> nodes;
+  for (const std::string& output : arguments.outputs) {
+    Node named;
+    named.output = output;
+    nodes.push_back(read_slice(slice_path(arguments.workspace.out, named)));
+  }
+  if (!arguments.handover.empty()) {
+    const char* where = "--handover";
+    arguments.run.handover = settings_from_json<Handover>(parse_json(arguments.handover, where), where);
+    arguments.run.launch.clear();
+    const int code = run_nodes(arguments.workspace, nodes, arguments.run);
+    write_record(arguments.record, meter.read(code, std::max(1, arguments.run.threads)));
+    return code;
+  }
+  if (nodes.size() == 1 || arguments.run.launch.empty())
+    return run_nodes(arguments.workspace, nodes, arguments.run);
+  std::vector<std::string> runner{fs::read_symlink("/proc/self/exe").string(),
+                                  "run",
+                                  "--out",
+                                  arguments.workspace.out.string(),
+                                  "--programs",
+                                  arguments.workspace.programs.string(),
+                                  "--repository",
+                                  arguments.workspace.repository.string(),
+                                  "--threads",
+                                  std::to_string(arguments.threads),
+                                  "--retry",
+                                  std::to_string(arguments.run.retries),
+                                  "--version",
+                                  arguments.run.version};
+  runner.insert(runner.end(), arguments.outputs.begin(), arguments.outputs.end());
+  runner.push_back("--handover");
+  return launch_nodes(arguments.workspace, nodes, arguments.run, runner);
 }
 
 int tell_audit(const Arguments& arguments, const Graph& graph) {
@@ -213,6 +259,9 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
         ->check(CLI::Range(0, 4096))
         ->envname("HBR_THREADS");
     command->add_option("--launch", a.run.launch, "words before every stage program")->envname("HBR_LAUNCH");
+    command->add_option("--retry", a.run.retries, "how often a failed stage is tried again")
+        ->check(CLI::Range(0, 100))
+        ->envname("HBR_RETRY");
     return command;
   };
   const auto add_for_profile = [&](const char* name, const char* meaning) {
@@ -224,6 +273,8 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
     return command;
   };
   CLI::App* const make_command = add_for_profile("make", "make what is not fresh (through make)");
+  make_command->add_option("--group", a.group, "seconds of a replication's stages that are run by one launch")
+      ->check(CLI::Range(0.0, 1e9));
   make_command->add_option("--make", a.make, "the make to use");
   make_command->add_option("--parent", a.parent, "the process with which to end");
   CLI::App* const plan_command = add_for_profile("plan", "check the profile and list what make would run");
@@ -232,8 +283,10 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
   CLI::App* const audit_command =
       add_for_profile("audit", "read every artifact again and compare it with its manifest");
   CLI::App* const graph_command = add_for_profile("graph", "the stage graph as Graphviz text");
-  CLI::App* const run_command = add("run", "make one artifact (called by make)");
-  run_command->add_option("output", a.output, "the artifact, below the output folder")->required();
+  CLI::App* const run_command = add("run", "make some artifacts (called by make)");
+  run_command->add_option("outputs", a.outputs, "the artifacts, below the output folder")->required();
+  run_command->add_option("--handover", a.handover, "of the runner that launched this one (JSON)");
+  run_command->add_option("--record", a.record, "where to leave the record of this run");
   run_command->add_option("--version", a.run.version, "of the repository, for the manifest")
       ->envname("HBR_VERSION");
   return guarded_main("hbr", [&] {

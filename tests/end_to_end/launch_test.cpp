@@ -4,25 +4,13 @@
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/manifest.h"
 #include "pipeline/artifact/process.h"
-#include "tests/end_to_end/fake_folder.h"
+#include "tests/end_to_end/launcher.h"
 
 namespace hbr {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-// A script in the folder, as words for LAUNCH. In it, "$@" is the stage's command line.
-std::string launcher(const FakeFolder& folder, const std::string& script) {
-  const fs::path path = folder.path / "launcher";
-  std::ofstream(path) << "#!/bin/bash\n" << script << "\n";
-  fs::permissions(path, fs::perms::owner_all);
-  return "--launch " + path.string();
-}
-
-nlohmann::json run_facts(const FakeFolder& folder, const std::string& name) {
-  return read_manifest(folder.out() / (name + ".json")).run;
-}
 
 // A server runs what the launcher only hands on, as on a cluster.
 TEST(Launch, RecordsAreTheProgramsNotTheLaunchers) {
