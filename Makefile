@@ -9,7 +9,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 # What a user gives is a text: no $ in it is make's, and recipes find it in their environment, where no quote in it is
 # the shell's.
-given := PROFILE OUT BUILD THREADS LAUNCH DEPS REP BENCH URDF MESHES POSE MNIST_DIR
+given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES POSE MNIST_DIR
 $(foreach name,$(given),$(if $(filter-out undefined default,$(origin $(name))),\
   $(eval override $(name) := $$(value $(name)))))
 
@@ -28,6 +28,8 @@ WERROR ?=
 UNITY ?= 1
 THREADS ?= 0
 LAUNCH ?=
+RETRY ?= 0
+GROUP ?= 0
 DEPS ?= auto
 REP ?=
 BENCH ?=
@@ -64,6 +66,7 @@ $(foreach name,PROFILE OUT BUILD,$(call refuse_if,$(if $(strip $($(name))),,empt
 
 programs := $(BUILD)/release/bin
 arguments := --profile "$$PROFILE" --out "$$OUT" --threads "$$THREADS" --launch "$$LAUNCH" \
+  --retry "$$RETRY" \
   $(if $(REP),--replication "$$REP")
 
 .PHONY: $(targets) $(stages) experiment
@@ -101,7 +104,10 @@ help:
 	@echo 'WERROR=$(WERROR)   1: a warning stops the build, as CI has it'
 	@echo 'UNITY=$(UNITY)   0: files are compiled one by one, for those who change a few and build again'
 	@echo "THREADS=$$THREADS"'   threads of one stage program; 0: the processors, shared among the N of -jN'
-	@echo "LAUNCH=$$LAUNCH"'   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt"'
+	@echo "LAUNCH=$$LAUNCH"'   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt";'
+	@echo '                     in single quotes they may use $$HBR_JOB, $$HBR_THREADS, $$HBR_MEMORY_MB and $$HBR_SECONDS'
+	@echo "RETRY=$$RETRY"'   how often a stage is tried again that was killed, lost or crashed'
+	@echo "GROUP=$$GROUP"'   seconds of short stages of one replication that are run by one LAUNCH; 0: each by its own'
 	@echo "MNIST_DIR=$$MNIST_DIR"'   folder of the four MNIST files; without it they are downloaded'
 	@echo "DEPS=$$DEPS"'   auto: install missing packages; manual: tell the command and stop; none: do not look'
 
@@ -167,7 +173,7 @@ experiment: build
 	  missing=$$($(programs)/hbr missing $(arguments) $(goals)); \
 	  case $$missing in *"/$(mnist)/"* $(if $(MNIST_DIR),| *"$$MNIST_DIR/"*)) \
 	    $(if $(dry),echo '# MNIST is fetched first',pipeline/fetch_mnist.sh $(mnist));; esac; \
-	  exec $(programs)/hbr $(if $(dry),plan,make --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
+	  exec $(programs)/hbr $(if $(dry),plan,make --group "$$GROUP" --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
 
 status audit: build
 	@$(programs)/hbr $@ $(arguments)

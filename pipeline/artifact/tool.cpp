@@ -298,6 +298,10 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
       throw InputError("{}", error.what());
     }
     for (fs::path* path : {&a.workspace.programs, &a.workspace.repository}) *path = absolute_path(*path);
+    // A make's user may write two; the shell takes them for a number of its own.
+    if (a.run.launch.find("$$") != std::string::npos)
+      throw InputError("LAUNCH='{}': write one $ before a variable's name, the whole in single quotes",
+                       a.run.launch);
     if (run_command->parsed()) return run(a);
     const Graph all = experiment(a.profile);
     check_graph(all);
