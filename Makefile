@@ -58,6 +58,9 @@ refuse_if = $(if $(1),$(error $(2)))
 $(foreach letter,$(odd),$(call refuse_if,$(findstring $(letter),$(stages)),no stage has a $(letter) in its name: '$(stages)'))
 $(foreach letter,$(odd),$(call refuse_if,$(findstring $(letter),$(BUILD)),BUILD is '$(BUILD)': the build folder may have no $(letter) in its path))
 $(call refuse_if,$(word 2,$(BUILD)),BUILD is '$(BUILD)': the build folder may have no space in its path)
+beyond_cmake := ; " \ \#
+$(if $(filter-out help,$(or $(MAKECMDGOALS),help)),$(foreach letter,$(beyond_cmake),\
+  $(call refuse_if,$(findstring $(letter),$(CURDIR)),CMake can not build in $(CURDIR): there is a $(letter) in this path)))
 $(foreach name,PROFILE OUT URDF MESHES MNIST_DIR,\
   $(call refuse_if,$(findstring $(newline),$($(name))),$(name) has a line break in it)\
   $(call refuse_if,$(filter -%,$(firstword $($(name)))),$(name) is '$($(name))': write ./$($(name)))\

@@ -9,6 +9,7 @@
 
 #include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/memory_limit.h"
 
 namespace hbr {
 
@@ -35,7 +36,10 @@ std::string failure_of(const ChildResult& child, const std::optional<RunRecord>&
                        const std::string& launch, const std::string& program) {
   if (record && record->exit_code != 0)
     return fmt::format("{} failed with exit code {}", program, record->exit_code);
-  if (child.signal) return fmt::format("{} was ended by a signal: {}", program, ::strsignal(child.signal));
+  if (child.signal)
+    return fmt::format(
+        "{} was ended by a signal: {}{}", program, ::strsignal(child.signal),
+        child.signal == SIGKILL ? "; if nobody did it, memory was out: at most " + memory_limit() : "");
   if (child.exit_code == 0)
     return record ? "" : fmt::format("{} succeeded, but left no record of its run", program);
   if (launch.empty()) return fmt::format("{} failed with exit code {}", program, child.exit_code);

@@ -147,6 +147,12 @@ TEST(Places, WithoutMemoryTheStageAndTheLimitAreTold) {
               HasSubstr("layer_a/00: out of memory: at most 0.5 GB (ulimit -v); raise the limit, or use "
                         "fewer THREADS or jobs (-j)"));
   EXPECT_EQ(folder.artifacts().size(), 1u);  // base
+  // The kernel, too, ends who takes more than there is.
+  const fs::path killer = folder.path / "killer";
+  std::ofstream(killer) << "#!/bin/sh\nkill -9 $$\n";
+  fs::permissions(killer, fs::perms::owner_all);
+  EXPECT_THAT(folder.make("--launch " + killer.string()).text,
+              HasSubstr("Killed; if nobody did it, memory was out: at most "));
   folder.profile.layer_a.size = 1;
   EXPECT_EQ(folder.make().code, 0);
 }

@@ -150,10 +150,18 @@ TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
 }
 
 TEST_F(UserValues, TheRepositorysPathMayBeOdd) {
-  set_up(folder_.path() / "it's a \"dol$lar\" ünï");
+  set_up(folder_.path() / "it's a dol$lar, ünï (a=b) & 50%");
   const Outcome outcome = make("status", {{"OUT", "o"}}, false);
   EXPECT_THAT(outcome.text, HasSubstr("<hbr><status><--profile><paper><--out><o>"));
   EXPECT_THAT(make("status", {{"OUT", "o"}}, false).text, testing::StartsWith("<hbr>"));  // configured once
+  // Where CMake itself fails, one line says so.
+  for (const char* letter : {";", "\"", "\\", "#"}) {
+    set_up(folder_.path() / (std::string("a") + letter + "b"));
+    const Outcome refused = make("status", {}, false);
+    EXPECT_THAT(refused.text, HasSubstr(std::string("there is a ") + letter + " in this path.  Stop.\n"));
+    EXPECT_EQ(std::ranges::count(refused.text, '\n'), 1);
+    EXPECT_THAT(make("help", {}, false).text, HasSubstr("make all"));
+  }
 }
 
 }  // namespace
