@@ -59,7 +59,10 @@ class UserValues : public testing::Test {
   // The values travel by the environment, so that this test's own shell does not touch them.
   Outcome make(const std::string& goal, const std::map<std::string, std::string>& values,
                bool by_environment) {
-    std::string words;
+    std::string words, others;
+    for (const char* name : {"OUT", "PROFILE", "BUILD", "LAUNCH", "RETRY", "THREADS", "REP", "MNIST_DIR",
+                             "URDF", "MESHES", "POSE"})
+      if (!values.contains(name)) others += std::string(" -u ") + name;
     for (const auto& [name, value] : values) {
       given_.push_back((by_environment ? "" : "GIVEN_") + name);
       ::setenv(given_.back().c_str(), value.c_str(), 1);
@@ -67,8 +70,8 @@ class UserValues : public testing::Test {
     }
     ::setenv("CHECKOUT", checkout_.c_str(), 1);
     given_.push_back("CHECKOUT");
-    const Outcome outcome =
-        shell("make -C \"$CHECKOUT\" DEPS=none " + goal + words + " 2>&1 | grep -v \"^make.*directory\"");
+    const Outcome outcome = shell("env" + others + " make -C \"$CHECKOUT\" DEPS=none " + goal + words +
+                                  " 2>&1 | grep -v \"^make.*directory\"");
     TearDown();
     given_.clear();
     EXPECT_FALSE(fs::exists(checkout_ / "pwned"));
@@ -83,13 +86,13 @@ class UserValues : public testing::Test {
 TEST_F(UserValues, ReachTheProgramsLetterByLetter) {
   for (const std::string& odd : kOdd)
     for (const bool by_environment : {false, true}) {
-      const std::map<std::string, std::string> all{{"OUT", odd},    {"PROFILE", odd + ".toml"},
-                                                   {"LAUNCH", odd}, {"THREADS", odd},
-                                                   {"REP", odd},    {"MNIST_DIR", odd}};
-      EXPECT_THAT(
-          make("status", all, by_environment).text,
-          HasSubstr("<hbr><status><--profile><" + odd + ".toml><--out><" + odd + "><--threads><" + odd +
-                    "><--launch><" + odd + "><--replication><" + odd + "><MNIST_DIR=" + odd + ">"));
+      const std::map<std::string, std::string> all{
+          {"OUT", odd}, {"PROFILE", odd + ".toml"}, {"LAUNCH", odd}, {"THREADS", odd}, {"RETRY", odd},
+          {"REP", odd}, {"MNIST_DIR", odd}};
+      EXPECT_THAT(make("status", all, by_environment).text,
+                  HasSubstr("<hbr><status><--profile><" + odd + ".toml><--out><" + odd + "><--threads><" +
+                            odd + "><--launch><" + odd + "><--retry><" + odd + "><--replication><" + odd +
+                            "><MNIST_DIR=" + odd + ">"));
       EXPECT_THAT(make("verify", {{"OUT", odd}}, by_environment).text,
                   HasSubstr("<reference><verify><" + odd + "><reports/reference>"));
       EXPECT_THAT(
@@ -139,8 +142,9 @@ TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
         fs::perm_options::add);
   fs::remove(checkout_ / "build/.packages");
   for (const char* goal : {"status", "audit", "verify", "all", "robot"}) {
-    const Outcome outcome = shell("setpriv --reuid=65534 --regid=65534 --clear-groups make -C " +
-                                  checkout_.string() + " " + goal);
+    const Outcome outcome = shell(
+        "env -u OUT -u PROFILE -u BUILD -u DEPS setpriv --reuid=65534 --regid=65534 --clear-groups make -C " +
+        checkout_.string() + " " + goal);
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_THAT(outcome.text, HasSubstr("the programs in build are used as they are"));
     EXPECT_THAT(outcome.text, HasSubstr(goal == std::string("verify")  ? "<reference>"
