@@ -18,6 +18,8 @@ template <class... Cases>
 struct Overload : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+Overload(Cases...) -> Overload<Cases...>;  // clang needs to be told
 
 Message attribute(const OnnxAttribute& a) {
   Message m;

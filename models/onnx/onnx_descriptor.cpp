@@ -9,6 +9,7 @@
 #include <opencv2/dnn.hpp>
 #include <vector>
 
+#include "pipeline/artifact/own_process.h"
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
 #include "pipeline/qd/dimension.h"
@@ -38,11 +39,11 @@ std::vector<cv::Mat> run(cv::dnn::Net& net, const std::vector<int>& shape, const
   return values;
 }
 
-// How many numbers a layer makes of an image, and whether nothing follows it.
+// How many numbers a layer makes of an image, whether nothing follows it, and whether they are floats.
 struct Width {
   std::string layer;
   std::size_t numbers;
-  bool output;
+  bool output, floats;
 };
 
 // Of all layers but constants, in the order of execution, given a black image of the first shape that fits.
@@ -60,7 +61,8 @@ std::vector<Width> widths(const std::string& model, const std::string& where, st
       const std::vector<cv::Mat> values = run(net, candidate, black.data(), layers);
       std::vector<Width> result;
       for (std::size_t i = 0; i < layers.size(); ++i)
-        result.push_back({layers[i], values[i].total(), std::ranges::count(ends, layers[i]) > 0});
+        result.push_back({layers[i], values[i].total(), std::ranges::count(ends, layers[i]) > 0,
+                          values[i].type() == CV_32F && values[i].isContinuous()});
       shape = candidate;
       return result;
     } catch (const cv::Exception& error) {
@@ -71,11 +73,27 @@ std::vector<Width> widths(const std::string& model, const std::string& where, st
                    where, complaint);
 }
 
+// OpenCV crashes on some files, damaged ones and good ones (whose weights are elsewhere): a first look at the
+// network is not to be trusted with this process.
+void try_apart(const std::string& model, const std::string& where) {
+  const OwnProcess apart{(std::size_t{1} << 30) + 16 * model.size(), 60};
+  apart.run(where, [&] {
+    std::vector<int> shape;
+    try {
+      widths(model, where, shape);
+    } catch (const InputError& error) {
+      throw InputError("{}", std::string(error.what()).substr(where.size() + 2));  // which run() adds again
+    }
+    return std::string();
+  });
+}
+
 }  // namespace
 
 // Which layers to ask, and networks to ask: one for each thread, since a cv::dnn::Net serves one at a time.
 struct OnnxDescriptor::Network {
   Network(std::string model_, const std::string& where_) : model(std::move(model_)), where(where_) {
+    try_apart(model, where);
     const std::vector<Width> all = widths(model, where, shape);
     std::vector<Width> images, places;
     std::vector<std::size_t> sizes;
@@ -93,6 +111,8 @@ struct OnnxDescriptor::Network {
       throw InputError("{}: its narrowest layer, {}, has {} numbers an image; expected 1 to {} as position",
                        where, narrowest.layer, narrowest.numbers, kMostDimensions);
     const Width& place = places.size() == 1 ? places[0] : narrowest;
+    if (!place.floats || !images[0].floats)
+      throw InputError("{}: expected a network that gives numbers of type float32", where);
     position = place.layer;
     decoded = images[0].layer;
     dimension = static_cast<Eigen::Index>(place.numbers);

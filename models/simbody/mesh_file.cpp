@@ -7,12 +7,12 @@
 
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
-#include <cstring>
 #include <numbers>
 
 #include "models/simbody/find_mesh.h"
-#include "models/simbody/own_process.h"
+#include "models/simbody/mesh_bytes.h"
 #include "models/simbody/shapes.h"
+#include "pipeline/artifact/own_process.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {
@@ -72,45 +72,6 @@ std::vector<Mesh> read_scene(const fs::path& path, const Eigen::Vector3f& uncolo
     if (!mesh.triangles.empty()) meshes.push_back(std::move(mesh));
   }
   if (meshes.empty()) throw InputError("holds no triangle");
-  return meshes;
-}
-
-// Meshes as bytes, from the process that reads them.
-template <class Item>
-void pack(std::string& bytes, const Item* items, std::size_t n) {
-  bytes.append(reinterpret_cast<const char*>(items), n * sizeof(Item));
-}
-std::string packed(const std::vector<Mesh>& meshes) {
-  std::string bytes;
-  for (const Mesh& mesh : meshes) {
-    const std::size_t sizes[] = {mesh.vertices.size(), mesh.triangles.size()};
-    pack(bytes, sizes, 2);
-    pack(bytes, mesh.colour.data(), 3);
-    pack(bytes, mesh.vertices.data(), sizes[0]);
-    pack(bytes, mesh.normals.data(), sizes[0]);
-    pack(bytes, mesh.triangles.data(), sizes[1]);
-  }
-  return bytes;
-}
-std::vector<Mesh> unpacked(const std::string& bytes) {
-  std::vector<Mesh> meshes;
-  std::size_t at = 0;
-  const auto take = [&](auto* items, std::size_t n) {
-    std::memcpy(static_cast<void*>(items), bytes.data() + at, n * sizeof *items);
-    at += n * sizeof *items;
-  };
-  while (at < bytes.size()) {
-    std::size_t sizes[2];
-    take(sizes, 2);
-    Mesh& mesh = meshes.emplace_back();
-    mesh.vertices.resize(sizes[0]);
-    mesh.normals.resize(sizes[0]);
-    mesh.triangles.resize(sizes[1]);
-    take(mesh.colour.data(), 3);
-    take(mesh.vertices.data(), sizes[0]);
-    take(mesh.normals.data(), sizes[0]);
-    take(mesh.triangles.data(), sizes[1]);
-  }
   return meshes;
 }
 
@@ -180,8 +141,8 @@ std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale
   const std::size_t size = fs::file_size(path, ignored);
   // Damaged files make assimp crash, loop or ask for any amount of memory.
   const OwnProcess reader{(std::size_t{256} << 20) + 64 * size, static_cast<unsigned>(20 + (size >> 22))};
-  std::vector<Mesh> meshes =
-      unpacked(reader.run(path.string(), [&] { return packed(read_scene(path, uncoloured)); }));
+  std::vector<Mesh> meshes = unpacked(
+      path.string(), reader.run(path.string(), [&] { return packed(read_scene(path, uncoloured)); }));
   const bool inside_out = scale.prod() < 0;
   for (Mesh& mesh : meshes) {
     for (Eigen::Vector3f& vertex : mesh.vertices) {

@@ -10,14 +10,16 @@ namespace {
 
 const Node kNode{"program", "layer1", 0, "artifact.h5", {{"seed", 7}, {"spacing", 0.25}}, {}, {"source"}};
 const Workspace& workspace() {
-  static const Workspace all{folder(), folder(), folder()};
+  static const Workspace all = [] {
+    for (const char* name : {"program", "source", "artifact.h5"}) written(name, name);
+    return Workspace{folder(), folder(), folder()};
+  }();
   return all;
 }
 
 }  // namespace
 
 std::vector<std::string> examples() {
-  for (const char* name : {"program", "source", "artifact.h5"}) written(name, name);
   const Freshness is = freshness_of(workspace(), {kNode})[0];
   const std::filesystem::path artifact = folder() / kNode.output, path = manifest_path(folder(), kNode);
   write_manifest(path,

@@ -2,8 +2,9 @@
 // is what stays in ours: that this process lives, and says in one line what became of the other. Beside it,
 // the names of other files that a mesh holds, which we read ourselves. The first byte says which format.
 #include "models/simbody/find_mesh.h"
+#include "models/simbody/mesh_bytes.h"
 #include "models/simbody/mesh_file.h"
-#include "models/simbody/shapes.h"
+#include "pipeline/core/check.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace hbr::fuzz {
@@ -30,6 +31,10 @@ std::vector<std::string> examples() {
 
 void read(const std::string& bytes) {
   if (bytes.empty()) return;
+  try {  // what the other process may say when it went astray
+    unpacked("mesh", bytes.substr(1));
+  } catch (const InputError&) {
+  }
   const auto format = static_cast<unsigned char>(bytes[0]) % std::size(kFormats);
   const std::filesystem::path path = written(kFormats[format].second, bytes.substr(1));
   RobotModel model{"", folder() / "robot.urdf", {Link{"a", {}, {}}}, {}};

@@ -47,9 +47,11 @@ class Tree:
 
     def __init__(self, sources, place):
         self.sources, self.tree, self.build = sources, place / "tree", place / "build"
-        files = subprocess.run(["git", "ls-files", "-z"], cwd=sources, check=True, capture_output=True, text=True)
+        files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=sources,
+                               check=True, capture_output=True, text=True)
         for name in files.stdout.split("\0")[:-1]:
-            self.put(name, (sources / name).read_bytes())
+            if (sources / name).exists():
+                self.put(name, (sources / name).read_bytes())
         if not (self.build / "build.ninja").exists():
             subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DHBR_BUILD=release"],
                            check=True, stdout=subprocess.DEVNULL)

@@ -1,4 +1,4 @@
-#include "models/simbody/own_process.h"
+#include "pipeline/artifact/own_process.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "models/simbody/own_process.h"
+#include "pipeline/artifact/own_process.h"
 
 #include <sys/resource.h>
 #include <sys/wait.h>
