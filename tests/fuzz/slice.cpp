@@ -1,4 +1,6 @@
-// The slice that tells a stage program what to do.
+// The slice that tells a stage program what to do, as the runner and the program read it.
+#include "pipeline/artifact/slice.h"
+
 #include "pipeline/artifact/stage.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -24,14 +26,17 @@ void describe(Fields& f, Settings& s) {
 }  // namespace
 
 std::vector<std::string> examples() {
-  return {
-      R"({"stage": "layer2", "name": "layer2/03", "inputs": {"layer1": "layer1/03.h5"}, "output": "layer2/03.h5",
- "settings": {"seed": 7, "generations": 100, "spacing": 0.25, "selector": "uniform", "starts": [0.5, -1]}})"};
+  Node node{"layer2", "layer2", 3, "layer2/03.h5", {}, {{"layer1", "layer1/03.h5"}}, {"source"}};
+  node.settings = {
+      {"seed", 7}, {"generations", 100}, {"spacing", 0.25}, {"selector", "uniform"}, {"starts", {0.5, -1}}};
+  write_slice(folder(), node);
+  return {content_of_file(slice_path(folder(), node))};
 }
 
 void read(const std::string& bytes) {
-  const StageRun stage(written("slice.json", bytes), folder(), folder() / "output", folder() / "checkpoint",
-                       1);
+  const std::filesystem::path path = written("slice.json", bytes);
+  read_slice(path);
+  const StageRun stage(path, folder(), folder() / "output", folder() / "checkpoint", 1);
   stage.settings_as<Settings>();
   Hdf5Writer file(stage.output());
   stage.write_settings(file);
