@@ -53,7 +53,8 @@ class Tree:
             if (sources / name).exists():
                 self.put(name, (sources / name).read_bytes())
         if not (self.build / "build.ninja").exists():
-            subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DHBR_BUILD=release"],
+            subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DHBR_BUILD=release",
+                            "-DHBR_UNITY=OFF"],
                            check=True, stdout=subprocess.DEVNULL)
 
     def put(self, name, content):

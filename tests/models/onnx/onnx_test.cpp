@@ -166,6 +166,16 @@ TEST(OnnxDescriptor, PositionsBeyondTheUnitBoxAreScaledIntoIt) {
   EXPECT_TRUE(describe(read, images) == describe(imported, images));
 }
 
+TEST(OnnxDescriptor, OfAFileThatEndsOpenCvIsRefused) {
+  OnnxGraph graph;
+  graph.input("x", {784});
+  graph.weights("w1", {784, 2}, {});  // they would be elsewhere: OpenCV divides by their number
+  graph.node("Gemm", {"x", "w1"}, "z");
+  graph.output("z", {2});
+  EXPECT_THAT([&] { OnnxDescriptor(graph.bytes(), "mine.onnx"); },
+              testing::ThrowsMessage<InputError>(HasSubstr("mine.onnx: the reader crashed on it")));
+}
+
 TEST(OnnxDescriptor, SaysInOneLineWhatIsWrong) {
   const Rows images = as_images(stroke_images(1, Seed(5)));
   const auto complaint = [&](const std::string& model) {
