@@ -19,7 +19,7 @@ namespace {
 // The first byte of what the child says.
 constexpr char kDone = 'd', kRefused = 'r';
 
-void limit(int what, rlim_t most) {
+void set_limit(int what, rlim_t most) {
   rlimit now{};
   ::getrlimit(what, &now);
   now.rlim_cur = now.rlim_max = std::min(now.rlim_max, most);
@@ -71,9 +71,9 @@ std::string OwnProcess::run(const std::string& what, const std::function<std::st
   if (child == 0) {
     end_with_parent(parent);
     ::close(ends[0]);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, cpu_seconds);
-    limit(RLIMIT_AS, address_space_in_use() + memory_bytes);
+    set_limit(RLIMIT_CORE, 0);
+    set_limit(RLIMIT_CPU, cpu_seconds);
+    set_limit(RLIMIT_AS, address_space_in_use() + memory_bytes);
     write_all(ends[1], said_by(work));
     ::_exit(0);
   }
