@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <set>
+#include <sstream>
 
 #include "tests/end_to_end/fake_folder.h"
 #include "tests/support/temporary_folder.h"
@@ -100,6 +101,25 @@ TEST_F(Makefile, ABuildFolderThatCannotBeWrittenIsTold) {
   const Outcome outcome = make("build BUILD=/proc/hbr");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.text, HasSubstr("can't write to /proc/hbr: name a folder for the programs with BUILD"));
+}
+
+// Each package that is needed everywhere has a name in each other distribution.
+TEST(Packages, AreNamedElsewhere) {
+  const auto words = [](const std::string& file) {
+    std::map<std::string, int> all;
+    std::ifstream stream(HBR_SOURCE_DIR "/.ci/" + file);
+    for (std::string line, package; std::getline(stream, line);) {
+      std::istringstream row(line);
+      if (line.starts_with('#') || !(row >> package)) continue;
+      all[package] = static_cast<int>(std::distance(std::istream_iterator<std::string>(row), {}));
+    }
+    return all;
+  };
+  std::map<std::string, int> expected;
+  for (const auto& [package, more] : words("packages.txt"))
+    if (more == 0) expected[package] = 2;  // Fedora's and Arch's
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_EQ(words("packages.elsewhere.txt"), expected);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// What the manifest says of the compiler is the compiler's own.
+#include "pipeline/artifact/toolchain.h"
+
+#include <gmock/gmock.h>
+
+namespace hbr {
+namespace {
+
+TEST(Toolchain, NamesTheCompiler) {
+  const std::string compiler = toolchain().at("compiler");
+#ifdef __clang__
+  EXPECT_EQ(compiler, "Clang " + std::to_string(__clang_major__) + "." + std::to_string(__clang_minor__) +
+                          "." + std::to_string(__clang_patchlevel__));
+#else
+  EXPECT_EQ(compiler, "GCC " + std::to_string(__GNUC__) + "." + std::to_string(__GNUC_MINOR__) + "." +
+                          std::to_string(__GNUC_PATCHLEVEL__));
+#endif
+}
+
+TEST(Toolchain, FlagsAreThoseOfTheCode) {
+  const std::string flags = toolchain().at("flags");
+  EXPECT_THAT(flags, testing::HasSubstr("-ffp-contract=off"));
+  EXPECT_THAT(flags, testing::Not(testing::ContainsRegex("-W|-g[0-9]?( |$)|prefix-map|" HBR_SOURCE_DIR)));
+}
+
+}  // namespace
+}  // namespace hbr
