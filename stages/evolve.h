@@ -25,6 +25,7 @@ void evolve(StageRun& stage, const SearchTable& table, const Variation& variatio
             Seed seed, DescriptorRange range = {},
             const std::function<void(Hdf5Writer&, const Elites&)>& more = nullptr);
 
+ContainerSettings container_settings(const SearchTable& table, DescriptorRange range);
 PolynomialMutation fixed_length(int genes, const SearchTable& table);
 
 // The bodies and layers that slices name.

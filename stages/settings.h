@@ -7,6 +7,10 @@
 #include <vector>
 
 #include "pipeline/artifact/settings.h"
+#include "pipeline/qd/containers.h"
+#include "pipeline/qd/named.h"
+#include "pipeline/qd/neighbour_grid.h"
+#include "pipeline/qd/selectors.h"
 
 namespace hbr {
 
@@ -39,12 +43,10 @@ struct SearchTable {
 // Which elites are kept and which are bred from.
 template <class Fields>
 void describe_algorithm(Fields& f, SearchTable& s) {
-  f.choice(
-      "container", s.container, {"distance", "local_competition", "grid", "cvt"},
-      "distance: the unstructured archive; local_competition: the same, where the fitter of two near ones "
-      "stays; grid: MAP-Elites; cvt: CVT-MAP-Elites");
-  f.choice("selector", s.selector, {"curiosity", "uniform", "fitness", "novelty", "nslc"},
-           "how parents are drawn; nslc: Pareto fronts of novelty and local competition");
+  f.choice("container", s.container, names_of(container_kinds()),
+           ("which elites are kept: " + meanings_of(container_kinds())).c_str());
+  f.choice("selector", s.selector, names_of(selector_kinds()),
+           ("how parents are drawn: " + meanings_of(selector_kinds())).c_str());
 }
 // The part of a search that all layers share, [search] in a profile.
 template <class Fields>
@@ -52,7 +54,8 @@ void describe_search(Fields& f, SearchTable& s) {
   f.number("batch", s.batch, Range{1, 1e6}, "children of a generation (pop_size)");
   f.number("record_every", s.record_every, Range{1, 1e9}, "generations between two rows of progress");
   describe_algorithm(f, s);
-  f.number("neighbours", s.neighbours, Range{1, 32}, "k: neighbours that the novelty score averages");
+  f.number("neighbours", s.neighbours, Range{1, kMaxNeighbours},
+           "k: neighbours that the novelty score averages");
   f.number("grid_cells", s.grid_cells, Range{1, 1e4}, "cells a side of the grid container");
   f.number("cvt_cells", s.cvt_cells, Range{1, 1e6}, "cells of the cvt container");
   f.choice("curiosity_credit", s.curiosity_credit, {"parent", "published"},

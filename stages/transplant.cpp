@@ -1,27 +1,25 @@
 #include "stages/transplant.h"
 
-#include <algorithm>
-#include <numeric>
-
-#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
-#include "pipeline/qd/distance_archive.h"
-#include "pipeline/qd/grid_archive.h"
+#include "pipeline/qd/containers.h"
+#include "pipeline/qd/selectors.h"
+#include "stages/checkpoint.h"
 
 namespace hbr {
 namespace {
 
 // Keeps what may stand side by side in the search's container: there two elites are at least (1 - epsilon) l
 // apart, so that elites which have not moved all stay.
-std::unique_ptr<Repertoire> sieve(const SearchTable& t, int genes, int size, DescriptorRange range) {
-  if (t.container == "cvt")
-    throw InputError("container 'cvt' can't take over elites; expected distance, local_competition or grid");
-  if (t.container == "grid")
-    return std::make_unique<GridArchive>(genes, GridCells{size, t.grid_cells, range.low, range.high});
-  return make_distance_archive(
-      genes, size,
-      {static_cast<float>((1 - t.epsilon) * t.spacing), 0, t.neighbours, range.low, range.high,
-       t.container == "local_competition" ? Contest::kFitness : Contest::kDominance});
+std::unique_ptr<Repertoire> sieve(const SearchTable& table, int genes, int size, DescriptorRange range) {
+  const ContainerKind& kind = container_kind(table.container);
+  if (kind.draws_cells)
+    throw InputError(
+        "container '{}' can't take over elites, it draws its cells for each search; expected another",
+        kind.name);
+  ContainerSettings settings = container_settings(table, range);
+  settings.spacing *= 1 - settings.epsilon;
+  settings.epsilon = 0;
+  return kind.make(genes, size, settings, Seed(0)).repertoire;
 }
 
 }  // namespace
@@ -49,24 +47,13 @@ Elites described(const Elites& elites, const Evaluator& evaluator, Seed seed, Wo
 
 void write_transplant(const std::filesystem::path& checkpoint, const SearchTable& table, const Elites& elites,
                       std::int64_t generation, DescriptorRange range) {
-  const auto repertoire =
-      sieve(table, static_cast<int>(elites.solution.cols()), static_cast<int>(elites.measures.cols()), range);
+  const auto size = static_cast<int>(elites.measures.cols());
+  const auto repertoire = sieve(table, static_cast<int>(elites.solution.cols()), size, range);
   for (Eigen::Index i = 0; i < elites.size(); ++i) repertoire->add(candidate_of(elites, i));
 
-  const Elites kept = repertoire->store().in_slot_order();
-  std::vector<std::int32_t> slots(static_cast<std::size_t>(kept.size()));
-  std::iota(slots.begin(), slots.end(), 0);
-  std::ranges::sort(slots, {}, [&](std::int32_t slot) { return kept.id[static_cast<std::size_t>(slot)]; });
-  const std::vector<std::int64_t> curiosity(table.selector == "curiosity" ? slots.size() : 0, 0);
-
-  const std::filesystem::path unfinished = temporary_beside(checkpoint);
-  Hdf5Writer file(unfinished);
-  write_elites(file, in_order(kept, slots), {});
-  file.write("slot", slots);
-  file.write("selector", curiosity);
-  file.write("generation", std::vector<std::int64_t>{generation});
-  file.close();
-  std::filesystem::rename(unfinished, checkpoint);
+  const auto selector = selector_kind(table.selector).make({size, table.neighbours, range.low, range.high});
+  for (Slot slot = 0; slot < repertoire->size(); ++slot) selector->learn(kNoSlot, {Outcome::kNovel, slot});
+  write_checkpoint(checkpoint, {generation, repertoire->store().in_slot_order(), selector->memory(), {}});
 }
 
 void evolve_on(StageRun& stage, const SearchTable& table, std::int64_t more, const Elites& elites,

@@ -188,7 +188,7 @@ void SettingsReader::text(const char* key, std::string& value, const char* meani
   value = found->get<std::string>();
 }
 
-void SettingsReader::choice(const char* key, std::string& value, std::initializer_list<const char*> allowed,
+void SettingsReader::choice(const char* key, std::string& value, const std::vector<const char*>& allowed,
                             const char* meaning) {
   const nlohmann::json* found = find(key, meaning);
   if (!found) return;

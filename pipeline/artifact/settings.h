@@ -61,7 +61,7 @@ class SettingsReader {
   void number(const char* key, double& value, Range range, const char* meaning);
   void flag(const char* key, bool& value, const char* meaning);
   void text(const char* key, std::string& value, const char* meaning);
-  void choice(const char* key, std::string& value, std::initializer_list<const char*> allowed,
+  void choice(const char* key, std::string& value, const std::vector<const char*>& allowed,
               const char* meaning);
   void numbers(const char* key, std::vector<double>& value, Range range, const char* meaning);
   void numbers(const char* key, std::vector<int>& value, Range range, const char* meaning);
@@ -143,7 +143,7 @@ class SettingsWriter {
   }
   void flag(const char* key, bool& value, const char*) { table_[key] = value; }
   void text(const char* key, std::string& value, const char*) { table_[key] = value; }
-  void choice(const char* key, std::string& value, std::initializer_list<const char*>, const char*) {
+  void choice(const char* key, std::string& value, const std::vector<const char*>&, const char*) {
     table_[key] = value;
   }
   template <class T>

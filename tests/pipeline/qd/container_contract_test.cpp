@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kGenes = 4;
 
-class ContainerContract : public testing::TestWithParam<std::tuple<Container, int>> {
+class ContainerContract : public testing::TestWithParam<std::tuple<ContainerCase, int>> {
  protected:
-  const Container& container = std::get<0>(GetParam());
+  const ContainerCase& container = std::get<0>(GetParam());
   int d = std::get<1>(GetParam());
   std::unique_ptr<Repertoire> repertoire = container.make(kGenes, d);
   const EliteStore& store = repertoire->store();

@@ -1,4 +1,4 @@
-// Every container and every selector, by name: the rows of the shared contract tests.
+// Every container and every selector, made as their tables say: the rows of the shared contract tests.
 #pragma once
 
 #include <cmath>
@@ -9,14 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/qd/cvt_archive.h"
-#include "pipeline/qd/distance_archive.h"
-#include "pipeline/qd/grid_archive.h"
-#include "pipeline/qd/score_selectors.h"
+#include "pipeline/qd/containers.h"
+#include "pipeline/qd/selectors.h"
 
 namespace hbr {
 
-struct Container {
+struct ContainerCase {
   std::string name;
   // For descriptors of size d: 1 to 8, about [0, 1]^d.
   std::function<std::unique_ptr<Repertoire>(int genes, int d)> make;
@@ -25,7 +23,7 @@ struct Container {
   // Whether an elite may only give way to a fitter one, in the same niche.
   bool fitter_only;
 };
-inline void PrintTo(const Container& c, std::ostream* out) { *out << c.name; }
+inline void PrintTo(const ContainerCase& c, std::ostream* out) { *out << c.name; }
 
 inline float plain_distance(const float* a, const float* b, int d) {
   float sum = 0;
@@ -36,23 +34,29 @@ inline float plain_distance(const float* a, const float* b, int d) {
 // The spacing that leaves room for some hundred elites.
 inline float test_spacing(int d) { return d == 1 ? 0.004f : 0.06f * static_cast<float>(d - 1); }
 inline int test_cells(int d) { return std::max(2, static_cast<int>(std::pow(150.0, 1.0 / d))); }
+inline Container test_container(const std::string& name, int genes, int d) {
+  return container_kind(name).make(genes, d, {test_spacing(d), 0.1, 15, test_cells(d), 120, 0, 1},
+                                   Seed(33).child(d));
+}
 inline const Rows& test_centroids(int d) {
   static std::map<int, Rows> made;
-  if (!made.contains(d)) made[d] = cvt_centroids(120, d, 0, 1, Seed(33).child(d));
+  if (!made.contains(d)) made[d] = test_container("cvt", 1, d).centroids;
   return made[d];
 }
 
-inline std::vector<Container> all_containers() {
-  const auto distance = [](Contest contest) {
-    return [contest](int genes, int d) {
-      return make_distance_archive(genes, d, {test_spacing(d), 0.1f, 15, 0, 1, contest});
-    };
-  };
-  const auto apart = [](const float* a, const float* b, int d) {
+// What each container promises, one row for each of the table. A container without a row stops the tests.
+inline std::vector<ContainerCase> all_containers() {
+  using Niche = std::function<bool(const float*, const float*, int)>;
+  const Niche apart = [](const float* a, const float* b, int d) {
     return plain_distance(a, b, d) < 0.9f * test_spacing(d) - 1e-6f;
   };
   const auto cell = [](float x, int cells) {
     return std::min(cells - 1, std::max(0, static_cast<int>(std::floor(x * static_cast<float>(cells)))));
+  };
+  const Niche same_cell = [cell](const float* a, const float* b, int d) {
+    for (int i = 0; i < d; ++i)
+      if (cell(a[i], test_cells(d)) != cell(b[i], test_cells(d))) return false;
+    return true;
   };
   const auto centroid = [](const Rows& centroids, const float* point) {
     int nearest = 0;
@@ -62,40 +66,33 @@ inline std::vector<Container> all_containers() {
         nearest = c;
     return nearest;
   };
-  return {{"distance", distance(Contest::kDominance), apart, false},
-          {"local_competition", distance(Contest::kFitness), apart, false},
-          {"grid",
-           [](int genes, int d) {
-             return std::make_unique<GridArchive>(genes, GridCells{d, test_cells(d), 0, 1});
-           },
-           [cell](const float* a, const float* b, int d) {
-             for (int i = 0; i < d; ++i)
-               if (cell(a[i], test_cells(d)) != cell(b[i], test_cells(d))) return false;
-             return true;
-           },
-           true},
-          {"cvt", [](int genes, int d) { return make_cvt_archive(genes, test_centroids(d), 0, 1); },
-           [centroid](const float* a, const float* b, int d) {
-             return centroid(test_centroids(d), a) == centroid(test_centroids(d), b);
-           },
-           true}};
+  const Niche same_centroid = [centroid](const float* a, const float* b, int d) {
+    return centroid(test_centroids(d), a) == centroid(test_centroids(d), b);
+  };
+  const std::map<std::string, std::pair<Niche, bool>> promises{{"distance", {apart, false}},
+                                                               {"local_competition", {apart, false}},
+                                                               {"grid", {same_cell, true}},
+                                                               {"cvt", {same_centroid, true}}};
+  std::vector<ContainerCase> all;
+  for (const ContainerKind& kind : container_kinds()) {
+    const std::string name = kind.name;
+    const auto& [same_niche, fitter_only] = promises.at(name);
+    all.push_back({name, [name](int genes, int d) { return test_container(name, genes, d).repertoire; },
+                   same_niche, fitter_only});
+  }
+  return all;
 }
 
-struct SelectorKind {
-  std::string name;
-  std::function<std::unique_ptr<Selector>()> make;  // for descriptors of size 2 in about [0, 1]^2
-};
 inline void PrintTo(const SelectorKind& s, std::ostream* out) { *out << s.name; }
 
 inline constexpr int kTestNeighbours = 5;
 
+// For descriptors of size 2 in about [0, 1]^2.
+inline std::unique_ptr<Selector> test_selector(const SelectorKind& kind) {
+  return kind.make({2, kTestNeighbours, 0, 1});
+}
 inline std::vector<SelectorKind> all_selectors() {
-  const auto scores = [] { return make_local_scores(2, kTestNeighbours, 0, 1); };
-  return {{"uniform", [] { return std::make_unique<UniformSelector>(); }},
-          {"curiosity", [] { return std::make_unique<CuriositySelector>(); }},
-          {"fitness", [] { return std::make_unique<FitnessSelector>(); }},
-          {"novelty", [scores] { return std::make_unique<NoveltySelector>(scores()); }},
-          {"nslc", [scores] { return std::make_unique<NslcSelector>(scores()); }}};
+  return {selector_kinds().begin(), selector_kinds().end()};
 }
 
 }  // namespace hbr

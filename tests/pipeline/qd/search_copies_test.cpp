@@ -31,7 +31,7 @@ struct CountingToy final : Evaluator {
 // One search of a counting toy, so many children of so few parents that copies meet siblings in their
 // parent's place.
 struct CountingSearch {
-  CountingSearch(const Container& container, Credit credit, bool says_so)
+  CountingSearch(const ContainerCase& container, Credit credit, bool says_so)
       : toy(says_so, evaluated),
         repertoire(container.make(3, 2)),
         search(*repertoire, selector, variation, toy, {30, 1000, 7, credit}, Seed(19)) {}
@@ -45,7 +45,7 @@ struct CountingSearch {
 
 TEST(Search, ACopyOfADeterministicSolutionNeedsNoEvaluation) {
   Workers workers(2);
-  for (const Container& container : all_containers())
+  for (const ContainerCase& container : all_containers())
     for (const Credit credit : {Credit::kParent, Credit::kPublished}) {
       CountingSearch all(container, credit, false), fresh(container, credit, true);
       while (!all.search.done()) {

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <set>
 
+#include "pipeline/qd/distance_archive.h"
 #include "tests/pipeline/qd/containers.h"
 #include "tests/pipeline/qd/search_states.h"
 
@@ -37,8 +38,8 @@ struct ToySearch {
   Search search{*repertoire, *selector, variation, toy, settings, Seed(18)};
 
   ToySearch() = default;
-  ToySearch(const Container& container, const SelectorKind& kind, Credit credit)
-      : repertoire(container.make(3, 2)), selector(kind.make()), settings{60, 50, 7, credit} {}
+  ToySearch(const ContainerCase& container, const SelectorKind& kind, Credit credit)
+      : repertoire(container.make(3, 2)), selector(test_selector(kind)), settings{60, 50, 7, credit} {}
   void to(std::int64_t generation, int threads) {
     Workers workers(threads);
     while (search.generation() < generation) search.step(workers);
@@ -198,7 +199,7 @@ TEST(Search, CreditsTheParentOrAsPublishedThatOfASibling) {
   }
 }
 
-class EverySearch : public testing::TestWithParam<std::tuple<Container, SelectorKind>> {
+class EverySearch : public testing::TestWithParam<std::tuple<ContainerCase, SelectorKind>> {
  protected:
   static std::unique_ptr<ToySearch> make(Credit credit) {
     const auto& [container, selector] = GetParam();
@@ -228,7 +229,7 @@ INSTANTIATE_TEST_SUITE_P(AllPairs, EverySearch,
                          testing::Combine(testing::ValuesIn(all_containers()),
                                           testing::ValuesIn(all_selectors())),
                          [](const auto& instance) {
-                           return std::get<Container>(instance.param).name + "_" +
+                           return std::get<ContainerCase>(instance.param).name + "_" +
                                   std::get<SelectorKind>(instance.param).name;
                          });
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "pipeline/qd/distance_archive.h"
+#include "pipeline/qd/score_selectors.h"
 #include "tests/pipeline/qd/containers.h"
 #include "tests/pipeline/qd/solutions.h"
 
@@ -13,7 +15,7 @@ namespace {
 
 // A search's life as a selector sees it, and the curiosity scores of its elites.
 struct Life {
-  explicit Life(const SelectorKind& kind) : selector(kind.make()) {}
+  explicit Life(const SelectorKind& kind) : selector(test_selector(kind)) {}
 
   void generations(int n) {
     for (int g = 0; g < n; ++g) {
@@ -113,6 +115,8 @@ std::vector<double> weights(const std::string& selector, const Life& life) {
       weight[s] = static_cast<double>(
           std::count_if(front.begin(), front.end(), [&](int other) { return other >= front[s]; }) +
           std::count_if(front.begin(), front.end(), [&](int other) { return other > front[s]; }));
+  } else if (selector != "uniform") {
+    ADD_FAILURE() << "the weights of selector " << selector << " are not written down here";
   }
   return weight;
 }
@@ -163,7 +167,7 @@ TEST_P(SelectorContract, RestoredItDrawsTheSame) {
 
 TEST_P(SelectorContract, OfOneEliteDrawsThatOne) {
   const auto repertoire = make_distance_archive(4, 2, {0.11f, 0.1f, 15, 0, 1});
-  const auto selector = GetParam().make();
+  const auto selector = test_selector(GetParam());
   Rng rng(Seed(31));
   selector->learn(kNoSlot, repertoire->add(random_solution(rng, 0, 2, -1).candidate()));
   selector->refresh(repertoire->store());
@@ -173,7 +177,7 @@ TEST_P(SelectorContract, OfOneEliteDrawsThatOne) {
 // Elites that nothing tells apart: corners of a square, all as fit.
 TEST_P(SelectorContract, DrawsEqualsAlike) {
   const auto repertoire = make_distance_archive(4, 2, {0.11f, 0.1f, 15, 0, 1});
-  const auto selector = GetParam().make();
+  const auto selector = test_selector(GetParam());
   Rng rng(Seed(32));
   for (int i = 0; i < 4; ++i) {
     Solution s = random_solution(rng, i, 2, -1);
@@ -218,7 +222,7 @@ TEST(NslcSelector, FrontsAreThosePeeledOffOneByOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllSelectors, SelectorContract, testing::ValuesIn(all_selectors()),
-                         [](const auto& instance) { return instance.param.name; });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
 }  // namespace hbr

@@ -1,0 +1,17 @@
+// What a search that was stopped goes on from: the arrays of a repertoire file (pipeline/artifact/FORMAT.md),
+// and `slot` [n], where each elite stands; `selector`, what the selector has learnt by slot; `generation`
+// [1].
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/qd/search.h"
+
+namespace hbr {
+
+// Whole or not at all.
+void write_checkpoint(const std::filesystem::path& path, const SearchState& state);
+// Throws InputError where the file is damaged.
+SearchState read_checkpoint(const std::filesystem::path& path);
+
+}  // namespace hbr
