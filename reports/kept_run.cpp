@@ -20,6 +20,33 @@ using nlohmann::json;
 constexpr const char* kStatistics = "statistics.json";
 constexpr std::size_t kDigits = 16;  // of a hash: enough to tell a thousand artifacts apart
 
+constexpr const char* kHead = "artifact,sha256,settings";
+
+bool is_short_hash(const std::string& text) {
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::map<std::string, KeptArtifact> read_artifacts(const fs::path& file) {
+  std::istringstream lines(read_whole(file));
+  std::string line;
+  if (!std::getline(lines, line) || line != kHead)
+    throw InputError("{}: expected '{}' as its first line, found '{}'", file.string(), kHead, line);
+  std::map<std::string, KeptArtifact> artifacts;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string name;
+    KeptArtifact artifact;
+    std::getline(fields, name, ',');
+    std::getline(fields, artifact.bytes, ',');
+    std::getline(fields, artifact.settings);
+    if (name.empty() || !is_short_hash(artifact.bytes) || !is_short_hash(artifact.settings) ||
+        !artifacts.emplace(name, artifact).second)
+      throw InputError("{}: expected lines of {}, each artifact once and {} digits of each hash, found '{}'",
+                       file.string(), kHead, kDigits, line);
+  }
+  return artifacts;
+}
+
 std::string short_hash(const std::string& hash) { return hash.substr(0, kDigits); }
 
 Node node_at(const std::string& output) {
@@ -166,7 +193,7 @@ void write_kept(const KeptRun& run, const fs::path& folder) {
   for (const auto& [variation, statistics] : run.statistics)
     write_file(folder / ((variation.empty() ? "" : variation + ".") + kStatistics), in_lines(statistics));
   write_file(folder / "claims.json", list_in_lines(run.claims));
-  std::string artifacts = "artifact,sha256,settings\n";
+  std::string artifacts = std::string(kHead) + "\n";
   for (const auto& [name, artifact] : run.artifacts)
     artifacts += fmt::format("{},{},{}\n", name, artifact.bytes, artifact.settings);
   write_file(folder / "artifacts.csv", artifacts);
@@ -194,18 +221,7 @@ KeptRun read_kept(const fs::path& folder) {
   if (!run.statistics.contains(""))
     throw InputError("{}: missing; `make reference` keeps it of a finished run",
                      (folder / kStatistics).string());
-  std::istringstream file(read_whole(folder / "artifacts.csv"));
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream fields(line);
-    std::string name, bytes, settings;
-    if (!std::getline(fields, name, ',') || !std::getline(fields, bytes, ',') ||
-        !std::getline(fields, settings, ','))
-      throw InputError("{}: '{}' is no line of it; expected artifact,sha256,settings",
-                       (folder / "artifacts.csv").string(), line);
-    run.artifacts[name] = {bytes, settings};
-  }
+  run.artifacts = read_artifacts(folder / "artifacts.csv");
   return run;
 }
 

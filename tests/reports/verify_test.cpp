@@ -72,8 +72,9 @@ KeptRun kept() {
       R"([{"id": "a", "paper": "2", "ours": "2.1", "verdict": "reproduced", "indication": "reproduced"},
           {"id": "b", "paper": "1", "ours": "–", "verdict": "not at this size", "indication": "partly"},
           {"id": "c", "paper": "1", "ours": "–", "verdict": "not at this size", "indication": ""}])");
-  run.artifacts = {
-      {"layer1/00.h5", {"11", "aa"}}, {"layer1/01.h5", {"22", "bb"}}, {"judge.h5", {"33", "cc"}}};
+  run.artifacts = {{"layer1/00.h5", {std::string(16, '1'), std::string(16, 'a')}},
+                   {"layer1/01.h5", {std::string(16, '2'), std::string(16, 'b')}},
+                   {"judge.h5", {std::string(16, '3'), std::string(16, 'c')}}};
   return run;
 }
 
@@ -315,6 +316,23 @@ TEST_F(KeptRuns, ComeBackAsTheyWere) {
   }
   fs::remove(folder_.path() / "kept/claims.json");
   EXPECT_THROW(read_kept(folder_.path() / "kept"), InputError);
+}
+
+TEST_F(KeptRuns, TheListOfArtifactsIsReadStrictly) {
+  write_kept(kept(), folder_.path() / "kept");
+  const fs::path file = folder_.path() / "kept/artifacts.csv";
+  const std::string good = read_whole(file), line = "a.h5,0123456789abcdef,0123456789abcdef\n";
+  write_file(file, good + line);
+  EXPECT_EQ(read_kept(folder_.path() / "kept").artifacts.size(), 4u);
+  for (const std::string& wrong :
+       {std::string(), "x" + good, good + "\n", good + "a.h5\n", good + line + line, good + "a.h5,,\n",
+        good + "b.h5,0123456789abcdef,0123456789abcdef,more\n",
+        good + "b.h5,0123456789abcdeg,0123456789abcdef\n"}) {
+    write_file(file, wrong);
+    EXPECT_THAT([&] { read_kept(folder_.path() / "kept"); },
+                testing::ThrowsMessage<InputError>(testing::StartsWith(file.string() + ": expected ")))
+        << wrong;
+  }
 }
 
 TEST_F(KeptRuns, AreReadStrictly) {
