@@ -45,7 +45,7 @@ COUNT ?= 60
 SEED ?= 1
 export $(given)
 
-targets := help deps build data all test bench sanitize fuzz mutate coverage format check-format status audit graph reference \
+targets := help deps build data all test bench test-cluster sanitize fuzz mutate coverage format check-format status audit graph reference \
   verify robot install check-targets check-releases check-bytes clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
@@ -81,6 +81,7 @@ help:
 	@echo 'make bench           build and run the benchmarks and keep their table; BENCH=regex: only those, only shown'
 	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers; SANITIZER=thread: races;'
 	@echo '                     TESTS="pipeline/qd models/arm": only the tests of these folders'
+	@echo 'make test-cluster    what becomes of a run when its Slurm cluster fails: a real one, on loopback'
 	@echo 'make fuzz            each reader of foreign files for SECONDS=60 with libFuzzer; READER=urdf: only that'
 	@echo 'make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
 	@echo 'make coverage        all tests, and BUILD/coverage/html: which lines they reach'
@@ -279,6 +280,12 @@ SAME ?= x86-64 x86-64-v3 native
 check-bytes: build
 	@.ci/packages "$$DEPS" check-targets
 	@tests/releases/bytes.sh '$(BUILD)/bytes' $(programs)/hbr '$(COMPILERS)' '$(SAME)'
+
+# A real Slurm on loopback, as root. CASES: only these of tests/cluster/run.
+CASES ?=
+test-cluster: build
+	@.ci/packages "$$DEPS" test-cluster
+	@tests/cluster/run $(CASES)
 
 format:
 	@.ci/packages "$$DEPS" format
