@@ -7,14 +7,13 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <map>
 #include <set>
 
 #include "pipeline/artifact/child.h"
-#include "pipeline/artifact/cost.h"
 #include "pipeline/artifact/group.h"
 #include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/lock.h"
+#include "pipeline/artifact/plan.h"
 #include "pipeline/artifact/program.h"
 #include "pipeline/artifact/record.h"
 #include "pipeline/artifact/runner.h"
@@ -45,33 +44,6 @@ struct Arguments {
 };
 
 fs::path absolute_path(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
-
-// What make is to run: a phony target for each group of nodes that are not fresh, called as its first. The
-// order of making is all that make decides; the recipe finds the rest in its environment.
-std::string plan_for_make(const Graph& graph, const std::vector<Group>& groups) {
-  std::map<std::string, std::string> target;  // of an output
-  for (const Group& group : groups)
-    for (const std::size_t node : group) target[graph[node].output] = graph[group.front()].output;
-  std::string rules, all;
-  for (const Group& group : groups) {
-    const std::string& own = graph[group.front()].output;
-    std::set<std::string> before;
-    std::vector<std::string> outputs;
-    for (const std::size_t node : group) {
-      outputs.push_back(graph[node].output);
-      for (const auto& [name, output] : graph[node].inputs)
-        if (const auto made = target.find(output); made != target.end() && made->second != own)
-          before.insert(made->second);
-    }
-    all += " \\\n  " + own;
-    rules += fmt::format("\n{}: {}\n\t@exec \"$$HBR_TOOL\" run {}\n", own, fmt::join(before, " "),
-                         fmt::join(outputs, " "));
-  }
-  return fmt::format(
-      "# Written by hbr make: what is not as the profile says, and in which order to make it.\n"
-      "all:{}\n.PHONY: all{}\n{}",
-      all, all, rules);
-}
 
 std::size_t count_stale(const std::vector<Freshness>& freshness) {
   return static_cast<std::size_t>(std::count_if(freshness.begin(), freshness.end(),
@@ -125,23 +97,11 @@ int make(Arguments& arguments, const Graph& graph, const Graph& all) {
     nothing_to_do(arguments, graph);
     return 0;
   }
-  std::vector<std::size_t> positions;
-  for (std::size_t i = 0; i < graph.size(); ++i) {
-    if (freshness[i].state == State::fresh) continue;
-    positions.push_back(i);
-    write_slice(arguments.workspace.out, graph[i]);
-  }
   const int threads = threads_to_launch_with(arguments);
-  MeasuredCosts costs(arguments.workspace.out);
-  const auto seconds = [&](const Node& node) -> std::optional<double> {
-    const std::optional<Cost> cost = costs.of(node, threads);
-    return cost ? std::optional(cost->seconds) : std::nullopt;
-  };
-  const std::vector<Group> groups = grouped(graph, positions, seconds, arguments.group);
-  const fs::path plan = arguments.workspace.out / ".plan/plan.mk";
-  write_whole(plan, plan_for_make(graph, groups));
+  const std::size_t launches =
+      write_plan(arguments.workspace.out, graph, freshness, threads, arguments.group);
   fmt::print("{}: {} of {} artifacts to make{}, {} to a stage program\n", arguments.workspace.out.string(),
-             stale, graph.size(), groups.size() == stale ? "" : fmt::format(" in {} launches", groups.size()),
+             stale, graph.size(), launches == stale ? "" : fmt::format(" in {} launches", launches),
              threads == 0   ? std::string("the processors that it is launched on")
              : threads == 1 ? std::string("one thread")
                             : fmt::format("{} threads", threads));
@@ -158,8 +118,8 @@ int make(Arguments& arguments, const Graph& graph, const Graph& all) {
   set("HBR_VERSION", version_of(arguments.workspace.repository));
   set("HBR_MAKE", std::to_string(::getpid()));  // exec keeps the number
   if (jobs_of_make() != 1) set("HBR_PROGRESS", "lines");
-  ::execlp(arguments.make.c_str(), arguments.make.c_str(), "--no-print-directory", "-f", plan.c_str(), "all",
-           nullptr);
+  ::execlp(arguments.make.c_str(), arguments.make.c_str(), "--no-print-directory", "-f",
+           plan_path(arguments.workspace.out).c_str(), "all", nullptr);
   throw InputError("can't run {}: {}", arguments.make, std::strerror(errno));
 }
 

@@ -111,7 +111,10 @@ kill_family() {
 cluster_stop() {
   local n
   for ((n = 1; n <= nodes; n++)); do lose_node $n; done
-  for n in ${controller_process:-} ${munge_process:-}; do kill_family "$n"; done
+  for n in ${controller_process:-} ${munge_process:-}; do
+    kill_family "$n"
+    wait "$n" 2>/dev/null || true
+  done
 }
 
 # wait_until SECONDS CONDITION

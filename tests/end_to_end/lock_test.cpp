@@ -87,7 +87,8 @@ TEST_F(Claim, HoldsWithoutALock) {
 TEST_F(Claim, IsKeptAliveAndItsLossEndsTheMake) {
   // The keeper is the one child of make that is no `run`; a hangup makes it look at once.
   const std::string keeper =
-      "for p in $(cat /proc/$make/task/$make/children); do tr \"\\0\" \" \" </proc/$p/cmdline | grep -q \" run \" || kill -HUP "
+      "for p in $(cat /proc/$make/task/$make/children); do tr \"\\0\" \" \" </proc/$p/cmdline | grep -q \" "
+      "run \" || kill -HUP "
       "$p; done; ";
   const std::string file = claim().string();
   const Outcome alive =

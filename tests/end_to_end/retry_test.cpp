@@ -80,7 +80,8 @@ TEST(Retry, IsNotForWhoWantsItToEnd) {
     // To the runner, as a terminal would; make waits for it.
     const Outcome outcome =
         shell(folder.command("make", launch + " --retry 5 base") + " & until [ -e " + ready +
-              " ]; do sleep 0.01; done; for p in $(cat /proc/$!/task/$!/children); do tr \"\\0\" \" \" </proc/$p/cmdline | "
+              " ]; do sleep 0.01; done; for p in $(cat /proc/$!/task/$!/children); do tr \"\\0\" \" \" "
+              "</proc/$p/cmdline | "
               "grep -q \" run \" && "
               "kill -" +
               std::string(signal) + " $p; done; wait $!; echo code $?");
