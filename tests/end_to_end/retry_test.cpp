@@ -117,6 +117,14 @@ TEST(LaunchVariables, TellTheJobAndWhatItMayNeed) {
   EXPECT_LE(std::stod(memory), 400);
 }
 
+TEST(LaunchVariables, HaveOneDollar) {
+  FakeFolder folder("dollars");
+  const Outcome two = folder.make("--launch \"env A=\\$\\$HBR_JOB\" base");
+  EXPECT_EQ(two.code, 2);
+  EXPECT_THAT(two.text, HasSubstr("write one $ before a variable\x27s name"));
+  EXPECT_EQ(folder.make("--launch \"env A=\\$HBR_JOB\" base").code, 0);
+}
+
 TEST(Groups, AreLaunchedOnceAndLeaveTheSameBytes) {
   FakeFolder folder("groups");
   const std::string calls = (folder.path / "calls").string();
