@@ -185,7 +185,7 @@ TEST(Groups, GoOnWithWhatDoesNotNeedTheFailedOne) {
   ASSERT_EQ(folder.make().code, 0);
   const std::string out = folder.out().string();
   shell("cd " + out + "; rm layer_a/00.h5 layer_b/*.h5");
-  const Outcome outcome = shell(FakeFolder::tool() + " run --out " + out +
+  const Outcome outcome = shell(folder.tool() + " run --out " + out +
                                 " layer_b/00.h5 layer_b/01.h5");  // the first lacks its input
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(made(outcome), "layer_b/01");
