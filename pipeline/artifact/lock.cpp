@@ -4,11 +4,11 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <thread>
 
 #include "pipeline/artifact/claim.h"
@@ -19,8 +19,9 @@ namespace {
 
 constexpr const char* kVariable = "HBR_LOCK";  // the descriptor's number, for children
 using namespace std::chrono_literals;
-// What was killed a moment ago may take a while to be gone.
-constexpr auto kPatience = 1500ms;
+// What was killed a moment ago may take a while to be gone; the keeper of a claim whose holder has ended, on
+// a busy machine, a long one.
+constexpr auto kPatience = 1500ms, kPatienceWithKeeper = 30'000ms;
 
 }  // namespace
 
@@ -33,22 +34,18 @@ void lock_folder(const std::filesystem::path& out) {
   const std::filesystem::path file = out / ".plan/lock";
   const int lock = ::open(file.c_str(), O_RDWR | O_CREAT, 0666);
   if (lock < 0) throw file_error(file, "can't write to this output folder", errno);
-  const auto until = std::chrono::steady_clock::now() + kPatience;
+  const auto begin = std::chrono::steady_clock::now();
   while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
     if (errno == ENOLCK || errno == EOPNOTSUPP) break;  // none here: the claim has to do
     if (errno != EWOULDBLOCK && errno != EINTR) throw file_error(out, "can't lock this output folder", errno);
-    if (std::chrono::steady_clock::now() > until) {
-      std::array<char, 32> holder{};
-      const bool known = ::pread(lock, holder.data(), holder.size() - 1, 0) > 0;
+    const std::optional<Process> holder = process_of(claim_of(out));
+    const bool ended = holder && holder->host == this_host() && !is_alive(*holder);
+    if (std::chrono::steady_clock::now() - begin > (ended ? kPatienceWithKeeper : kPatience))
       throw InputError(
           "{}: another make{} is at work in this folder: wait for it, stop it, or give another OUT",
-          out.string(), known ? fmt::format(" (process {})", holder.data()) : "");
-    }
+          out.string(), holder ? fmt::format(" (process {} on {})", holder->id, holder->host) : "");
     std::this_thread::sleep_for(20ms);
   }
-  const std::string self = std::to_string(::getpid());
-  if (::ftruncate(lock, 0) != 0 || ::pwrite(lock, self.data(), self.size(), 0) < 0)
-    throw file_error(file, "can't write to this output folder", errno);
   ::setenv(kVariable, std::to_string(lock).c_str(), 1);
 
   const Process holder = this_process();

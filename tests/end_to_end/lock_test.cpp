@@ -67,6 +67,16 @@ TEST_F(Claim, OnItsOwnHostTheProcessIsLookedAt) {
   EXPECT_EQ(folder.make().code, 0);
 }
 
+TEST_F(Claim, AHolderThatHasEndedIsWaitedForUntilItsLockIsFree) {
+  Process ended = this_process();
+  ++ended.started;
+  write(text_of(ended), std::chrono::seconds(0));
+  const Outcome waited = shell("flock " + (folder.out() / ".plan/lock").string() + " sleep 3 & sleep 0.3; " +
+                               folder.command("make", "base"));
+  EXPECT_EQ(waited.code, 0) << waited.text;
+  EXPECT_EQ(made(waited), "base");
+}
+
 // Where a lock does not hold, as if each host had a file of its own.
 TEST_F(Claim, HoldsWithoutALock) {
   const std::string unlock = "rm " + (folder.out() / ".plan/lock").string() + "; ";
