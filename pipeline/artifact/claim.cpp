@@ -29,11 +29,13 @@ std::optional<Process> holder_of(const fs::path& out) { return process_of(claim_
   throw file_error(out, "can't write to this output folder", errno);
 }
 
-// The first to get there makes the link; where there are no links, the first to look.
-bool put(const fs::path& own, const fs::path& claim) {
-  if (::link(own.c_str(), claim.c_str()) == 0) return true;
-  if (errno == EEXIST || fs::exists(claim)) return false;
-  return ::rename(own.c_str(), claim.c_str()) == 0;
+// Whether it is put there now. The first to get there makes the link; where there are no links, the first to
+// look.
+bool put(const fs::path& out, const fs::path& own) {
+  if (::link(own.c_str(), claim_path(out).c_str()) == 0) return true;
+  if (errno == EEXIST || fs::exists(claim_path(out))) return false;
+  if (::rename(own.c_str(), claim_path(out).c_str()) != 0) fail(out);
+  return true;
 }
 
 // By the clock that both files' times are of: the file system's.
@@ -75,7 +77,7 @@ void claim_folder(const fs::path& out, const Process& holder) {
   const Temporary own(temporary_beside(claim));
   std::ofstream(own.path) << text_of(holder) << std::flush;
   if (!fs::exists(own.path) || fs::file_size(own.path) == 0) fail(out);
-  while (!put(own.path, claim)) {
+  while (!put(out, own.path)) {
     if (!fs::exists(claim)) continue;  // left this moment
     judge(out, holder, silence(claim, own.path));
     if (::rename(own.path.c_str(), claim.c_str()) != 0) fail(out);

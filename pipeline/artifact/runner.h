@@ -51,9 +51,8 @@ std::vector<std::string> stage_command(const Workspace& workspace, const Node& n
 
 // Makes the node's artifact unless it is fresh. The stage writes to a temporary name in the same folder,
 // which becomes the artifact when the program succeeded and left it and the record of its run; then the
-// manifest is written. Returns
-// the exit code: 0, or 2 where the stage has told what was wrong. Throws InputError or StageFailure for every
-// other failure.
+// manifest is written. Returns the exit code: 0, or 2 where the stage has told what was wrong. Throws
+// InputError or StageFailure for every other failure.
 int run_node(const Workspace& workspace, const Node& node, const RunOptions& options);
 
 // Removes what killed runs left in the folders of the graph.
