@@ -68,8 +68,9 @@ json unsealed(json table, const std::string& where) {
   const json found = table[kSeal];
   table = sealed(std::move(table));
   if (table[kSeal] != found)
-    throw InputError("{}: somebody edited it, or the disk did: its '{}' is of other values than these", where,
-                     kSeal);
+    throw InputError(
+        "{}: edited or damaged since it was written: its '{}' is not the hash of its other values", where,
+        kSeal);
   table.erase(kSeal);
   return table;
 }

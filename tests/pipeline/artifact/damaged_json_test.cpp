@@ -49,7 +49,7 @@ TEST(JsonFile, ASealIsOfTheOtherValues) {
   EXPECT_EQ(sealed(sealed(table)), sealed(table));
   json edited = sealed(table);
   edited["b"]["c"] = "e";
-  EXPECT_THAT(complaint([&] { unsealed(edited, "f"); }), StartsWith("f: somebody edited it"));
+  EXPECT_THAT(complaint([&] { unsealed(edited, "f"); }), StartsWith("f: edited or damaged since"));
   EXPECT_THAT(complaint([&] { unsealed(table, "f"); }),
               StartsWith("f: expected a table with the key 'seal'"));
 }
@@ -144,7 +144,7 @@ TEST_F(Damaged, AnEditedHashIsToldFromADamagedArtifact) {
   json edited = json::parse(read_whole(manifest_file()));
   edited["sha256"] = sha256_of_text("other");
   write_file(manifest_file(), edited.dump());
-  EXPECT_THAT(audit(workspace(), {node_}).problems[0], HasSubstr("a.json: somebody edited it"));
+  EXPECT_THAT(audit(workspace(), {node_}).problems[0], HasSubstr("a.json: edited or damaged since"));
 }
 
 TEST_F(Damaged, WhatAuditFindsBehindAnUnchangedSignIsMadeAgain) {
