@@ -55,7 +55,7 @@ std::string verdict_tiles(const nlohmann::json& claims) {
 }
 
 std::string verdict_badge(const std::string& name) {
-  const Verdict& verdict = verdict_named(name, "a claim");
+  const Verdict verdict = verdict_named(name, "a claim");
   return fmt::format("<span class=\"badge {}\">{} {}</span>", verdict.css, verdict.sign, verdict.name);
 }
 

@@ -233,9 +233,10 @@ std::string other_toolchain(const json& reference, const json& run) {
   if (reference.is_null()) return "the reference was made by more than one toolchain";
   if (run.is_null()) return "this run was made by more than one toolchain";
   std::vector<std::string> parts;
-  for (const auto& [key, was] : reference.items())
-    if (run.value(key, "") != was)
-      parts.push_back(fmt::format("{} was '{}', is '{}'", key, was.get<std::string>(), run.value(key, "")));
+  for (const auto& [key, value] : reference.items()) {
+    const auto was = value.get<std::string>(), is = run.value(key, "");
+    if (is != was) parts.push_back(fmt::format("{} was '{}', is '{}'", key, was, is));
+  }
   return parts.empty() ? "another toolchain" : fmt::format("{}", fmt::join(parts, "; "));
 }
 
