@@ -47,7 +47,7 @@ class Workers {
 
   int threads() const { return threads_; }
 
-  // body(begin, end) over disjoint ranges that cover [0, n), each at least `grain` long except where n ends.
+  // body(begin, end) over disjoint ranges that cover [0, n), each at least half of `grain` long where n is.
   template <class Body>
   void for_ranges(std::size_t n, std::size_t grain, Body&& body) {
     if (n == 0) return;
