@@ -7,8 +7,8 @@ SHELL := /bin/bash
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DEFAULT_GOAL := help
 
-# What a user gives is a text: no $ in it is make's, and recipes find it in their environment, where no quote in it is
-# the shell's.
+# What a user gives is a text: no $ in it is make's, and recipes find it in their environment as GIVEN_OUT and so on,
+# where no quote in it is the shell's. (Under names of their own: another make that a recipe starts would heed OUT.)
 given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES POSE MNIST_DIR
 $(foreach name,$(given),$(if $(filter-out undefined default,$(origin $(name))),\
   $(eval override $(name) := $$(value $(name)))))
@@ -43,7 +43,8 @@ READER ?=
 FILES ?= pipeline models
 COUNT ?= 60
 SEED ?= 1
-export $(given)
+$(foreach name,$(given),$(eval export GIVEN_$(name) = $$($(name))))
+export MNIST_DIR
 
 targets := help deps build data all test bench test-cluster sanitize fuzz mutate coverage format check-format status audit graph reference \
   verify robot install check-targets check-releases check-bytes clean distclean
@@ -68,9 +69,9 @@ $(foreach name,PROFILE OUT URDF MESHES MNIST_DIR,\
 $(foreach name,PROFILE OUT BUILD,$(call refuse_if,$(if $(strip $($(name))),,empty),$(name) is empty))
 
 programs := $(BUILD)/release/bin
-arguments := --profile "$$PROFILE" --out "$$OUT" --threads "$$THREADS" --launch "$$LAUNCH" \
-  --retry "$$RETRY" \
-  $(if $(REP),--replication "$$REP")
+arguments := --profile "$$GIVEN_PROFILE" --out "$$GIVEN_OUT" --threads "$$GIVEN_THREADS" --launch "$$GIVEN_LAUNCH" \
+  --retry "$$GIVEN_RETRY" \
+  $(if $(REP),--replication "$$GIVEN_REP")
 
 .PHONY: $(targets) $(stages) experiment
 
@@ -101,19 +102,19 @@ help:
 	@echo 'make clean           remove BUILD; distclean: out/ and .cache/ (downloads), too'
 	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
-	@echo "PROFILE=$$PROFILE"'   one of: $(basename $(notdir $(wildcard stages/profiles/*.toml))); or a file.toml'
-	@echo "OUT=$$OUT"'   where artifacts go'
-	@echo "BUILD=$$BUILD"'   where programs are built; with OUT elsewhere, too, the sources may be read-only'
+	@echo "PROFILE=$$GIVEN_PROFILE"'   one of: $(basename $(notdir $(wildcard stages/profiles/*.toml))); or a file.toml'
+	@echo "OUT=$$GIVEN_OUT"'   where artifacts go'
+	@echo "BUILD=$$GIVEN_BUILD"'   where programs are built; with OUT elsewhere, too, the sources may be read-only'
 	@echo 'HBR_ARCH=$(HBR_ARCH)   processors to build for (-march): this one, or x86-64-v3 and so on; CXX=clang++: another compiler'
 	@echo 'WERROR=$(WERROR)   1: a warning stops the build, as CI has it'
 	@echo 'UNITY=$(UNITY)   0: files are compiled one by one, for those who change a few and build again'
-	@echo "THREADS=$$THREADS"'   threads of one stage program; 0: the processors, shared among the N of -jN'
-	@echo "LAUNCH=$$LAUNCH"'   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt";'
+	@echo "THREADS=$$GIVEN_THREADS"'   threads of one stage program; 0: the processors, shared among the N of -jN'
+	@echo "LAUNCH=$$GIVEN_LAUNCH"'   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt";'
 	@echo '                     in single quotes they may use $$HBR_JOB, $$HBR_THREADS, $$HBR_MEMORY_MB and $$HBR_SECONDS'
-	@echo "RETRY=$$RETRY"'   how often a stage is tried again that was killed, lost or crashed'
-	@echo "GROUP=$$GROUP"'   seconds of short stages of one replication that are run by one LAUNCH; 0: each by its own'
+	@echo "RETRY=$$GIVEN_RETRY"'   how often a stage is tried again that was killed, lost or crashed'
+	@echo "GROUP=$$GIVEN_GROUP"'   seconds of short stages of one replication that are run by one LAUNCH; 0: each by its own'
 	@echo "MNIST_DIR=$$MNIST_DIR"'   folder of the four MNIST files; without it they are downloaded'
-	@echo "DEPS=$$DEPS"'   auto: install missing packages; manual: tell the command and stop; none: do not look'
+	@echo "DEPS=$$GIVEN_DEPS"'   auto: install missing packages; manual: tell the command and stop; none: do not look'
 
 # Set-up and build -----------------------------------------------------------------------------------------------
 
@@ -123,7 +124,7 @@ deps: $(packages)
 $(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
 	@mkdir -p '$(BUILD)' 2>/dev/null && touch '$(BUILD)/.writable' 2>/dev/null || \
 	  { echo "can't write to $(BUILD): name a folder for the programs with BUILD, one for the results with OUT" >&2; exit 2; }
-	@.ci/packages "$$DEPS"
+	@.ci/packages "$$GIVEN_DEPS"
 	@mv '$(BUILD)/.writable' $@
 
 # settings(preset): what a build folder is made for; it keeps them. Others (the checkout moved, HBR_ARCH changed)
@@ -163,11 +164,11 @@ build: $(ready)
 
 # The page is an artifact; the report is the page with the times, hosts and versions of the manifests.
 all $(stages): experiment
-	@[ ! -e "$$OUT/page.json" ] || $(if $(filter all,$@),,[ "$$OUT/report/index.html" -nt "$$OUT/page.json" ] ||) \
-	  $(programs)/publish "$$OUT/page" "$$OUT" "$$OUT/report"
+	@[ ! -e "$$GIVEN_OUT/page.json" ] || $(if $(filter all,$@),,[ "$$GIVEN_OUT/report/index.html" -nt "$$GIVEN_OUT/page.json" ] ||) \
+	  $(programs)/publish "$$GIVEN_OUT/page" "$$GIVEN_OUT" "$$GIVEN_OUT/report"
 
 data: $(packages)
-	@pipeline/fetch_mnist.sh $(mnist)
+	@DEPS="$$GIVEN_DEPS" pipeline/fetch_mnist.sh $(mnist)
 
 # MNIST is fetched where the profile asks for it and it is not there. The + hands over make's jobs, and lets
 # `make -n` list what would run.
@@ -176,8 +177,8 @@ experiment: build
 	+@$(if $(dry),[ -x $(programs)/hbr ] || { echo '# then all that the profile asks for: nothing is built yet'; exit 0; };) \
 	  missing=$$($(programs)/hbr missing $(arguments) $(goals)); \
 	  case $$missing in *"/$(mnist)/"* $(if $(MNIST_DIR),| *"$$MNIST_DIR/"*)) \
-	    $(if $(dry),echo '# MNIST is fetched first',pipeline/fetch_mnist.sh $(mnist));; esac; \
-	  exec $(programs)/hbr $(if $(dry),plan,make --group "$$GROUP" --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
+	    $(if $(dry),echo '# MNIST is fetched first',DEPS="$$GIVEN_DEPS" pipeline/fetch_mnist.sh $(mnist));; esac; \
+	  exec $(programs)/hbr $(if $(dry),plan,make --group "$$GIVEN_GROUP" --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
 
 status audit: build
 	@$(programs)/hbr $@ $(arguments)
@@ -185,15 +186,15 @@ status audit: build
 # Of a run that can only be read it goes elsewhere.
 graph: build
 	@dot=$$($(programs)/hbr graph $(arguments)); \
-	  mkdir -p "$$OUT" 2>/dev/null && [ -w "$$OUT" ] && place=$$OUT/graph.svg || place=$$(mktemp --suffix=.svg); \
+	  mkdir -p "$$GIVEN_OUT" 2>/dev/null && [ -w "$$GIVEN_OUT" ] && place=$$GIVEN_OUT/graph.svg || place=$$(mktemp --suffix=.svg); \
 	  dot -Tsvg <<<"$$dot" >"$$place"; printf '%s\n' "$$place"
 
 # reports/reference/NAME: what a finished run found, in a few small files.
 reference: build
-	@$(programs)/reference keep "$$OUT" reports/reference
+	@$(programs)/reference keep "$$GIVEN_OUT" reports/reference
 
 verify: build
-	@$(programs)/reference verify "$$OUT" reports/reference
+	@$(programs)/reference verify "$$GIVEN_OUT" reports/reference
 
 # The search and the layers for other programs: find_package(hbr), see pipeline/hbrConfig.cmake.in.
 PREFIX ?= /usr/local
@@ -207,7 +208,7 @@ robot: OUT := out/robot
 endif
 robot: $(ready)
 	@$(call made_ready,robot)
-	@set -f; $(programs)/robot "$$URDF" "$$OUT" "$$MESHES" $$POSE
+	@set -f; $(programs)/robot "$$GIVEN_URDF" "$$GIVEN_OUT" "$$GIVEN_MESHES" $$GIVEN_POSE
 
 # Tests and checks -----------------------------------------------------------------------------------------------
 
@@ -230,15 +231,15 @@ fuzz: $(BUILD)/fuzz/build.ninja
 
 .PHONY: fuzz-packages
 fuzz-packages:
-	@.ci/packages "$$DEPS" fuzz
+	@.ci/packages "$$GIVEN_DEPS" fuzz
 $(BUILD)/fuzz/build.ninja: | fuzz-packages
 
 mutate: $(packages)
-	@.ci/packages "$$DEPS" mutate
+	@.ci/packages "$$GIVEN_DEPS" mutate
 	@python3 tests/mutation/mutate.py --place $(BUILD)/mutate --seed '$(SEED)' --count '$(COUNT)' $(FILES)
 
 coverage: $(packages) $(BUILD)/coverage/build.ninja
-	@.ci/packages "$$DEPS" coverage
+	@.ci/packages "$$GIVEN_DEPS" coverage
 	@find $(BUILD)/coverage -name '*.gcda' -delete
 	$(call run_tests,coverage,tests)
 	@lcov --quiet --capture --directory $(BUILD)/coverage --output-file $(BUILD)/coverage/all.info
@@ -253,11 +254,11 @@ bench: $(packages) $(BUILD)/release/build.ninja
 	@rm -rf $(BUILD)/bench && mkdir -p $(BUILD)/bench
 	@for bench in $(programs)/bench_*; do \
 	  results=$(BUILD)/bench/$${bench##*/bench_}; \
-	  "$$bench" --benchmark_filter="$${BENCH:-.}" --benchmark_repetitions=3 --benchmark_min_time=0.2 \
+	  "$$bench" --benchmark_filter="$${GIVEN_BENCH:-.}" --benchmark_repetitions=3 --benchmark_min_time=0.2 \
 	    --benchmark_display_aggregates_only --benchmark_out=$$results.json >$$results.txt 2>&1 || { cat $$results.txt; exit 1; }; \
 	  [ -s $$results.json ] || rm $$results.json; \
 	done
-	@ls $(BUILD)/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$$BENCH'" >&2; exit 2; }
+	@ls $(BUILD)/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$$GIVEN_BENCH'" >&2; exit 2; }
 	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' $(BUILD)/bench/*.json
 
 # Compiles everything for other processors, by both compilers, warnings being errors; links and runs nothing.
@@ -266,33 +267,33 @@ COMPILERS ?= g++ clang++
 OBJECTS ?=
 TARGETS ?= x86-64 x86-64-v2 x86-64-v3 x86-64-v4 haswell sapphirerapids znver2 znver3 native
 check-targets: $(packages)
-	@.ci/packages "$$DEPS" check-targets
+	@.ci/packages "$$GIVEN_DEPS" check-targets
 	@.ci/targets '$(BUILD)/targets' '$(COMPILERS)' '$(TARGETS)' '$(OBJECTS)'
 
 # The README's commands and all tests on a bare machine of each Debian release, as root.
 RELEASES ?= bookworm trixie
 check-releases:
-	@.ci/packages "$$DEPS" check-releases
+	@.ci/packages "$$GIVEN_DEPS" check-releases
 	@for release in $(RELEASES); do tests/releases/try.sh "$$release" '$(BUILD)/releases'; done
 
 # The layers of the reduced profile, built by each compiler for each of these: all the same bytes?
 SAME ?= x86-64 x86-64-v3 native
 check-bytes: build
-	@.ci/packages "$$DEPS" check-targets
+	@.ci/packages "$$GIVEN_DEPS" check-targets
 	@tests/releases/bytes.sh '$(BUILD)/bytes' $(programs)/hbr '$(COMPILERS)' '$(SAME)'
 
 # A real Slurm on loopback, as root. CASES: only these of tests/cluster/run.
 CASES ?=
 test-cluster: build
-	@.ci/packages "$$DEPS" test-cluster
+	@.ci/packages "$$GIVEN_DEPS" test-cluster
 	@tests/cluster/run $(CASES)
 
 format:
-	@.ci/packages "$$DEPS" format
+	@.ci/packages "$$GIVEN_DEPS" format
 	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
 
 check-format:
-	@.ci/packages "$$DEPS" format
+	@.ci/packages "$$GIVEN_DEPS" format
 	@git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
 
 clean:

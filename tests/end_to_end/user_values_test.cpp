@@ -49,7 +49,7 @@ class UserValues : public testing::Test {
                                                    "add_custom_target(programs)\nadd_custom_target(robot)\n";
     for (const char* name : {"hbr", "robot", "reference", "publish"})
       program(checkout_ / "build/release/bin" / name,
-              "printf \"<%s>\" ${0##*/} \"$@\" \"MNIST_DIR=${MNIST_DIR-}\"; echo");
+              "printf \"<%s>\" ${0##*/} \"$@\" \"MNIST_DIR=${MNIST_DIR-}\" \"OUT=${OUT-none}\"; echo");
   }
   static void program(const fs::path& file, const std::string& text) {
     fs::create_directories(file.parent_path());
@@ -110,6 +110,8 @@ TEST_F(UserValues, OutFollowsTheProfilesName) {
                                      {"a.b.toml", "out/a.b"}})
     EXPECT_THAT(make("status", {{"PROFILE", profile}}, false).text,
                 HasSubstr(std::string("<") + profile + "><--out><" + out + ">"));
+  // Another make that a program starts has no OUT of this one's.
+  EXPECT_THAT(make("status", {}, false).text, HasSubstr("<OUT=none>"));
   EXPECT_THAT(make("robot", {{"URDF", "a.urdf"}}, false).text, HasSubstr("<robot><a.urdf><out/robot><>"));
 }
 
