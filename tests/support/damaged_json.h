@@ -62,7 +62,8 @@ inline std::vector<Damage> damages_of(const std::string& text) {
   all.emplace_back("something behind it", text + "x");
   all.emplace_back("twice", text + text);
   all.emplace_back("deep", std::string(100'000, '['));
-  all.emplace_back("deep in it", open + key + std::string(200'000, '[') + std::string(200'000, ']') + ", " + inside);
+  all.emplace_back("deep in it",
+                   open + key + std::string(200'000, '[') + std::string(200'000, ']') + ", " + inside);
   all.emplace_back("a zero byte in it", open + std::string(1, '\0') + inside);
   all.emplace_back("no JSON", "profile = 1\n");
   return all;
