@@ -166,8 +166,9 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
     const double waited = options.waited_seconds + std::max(0.0, child.seconds - record->seconds);
     keep(workspace, node, found, output.path, run_facts(*record, waited, tries.failures(), options));
     fs::remove_all(checkpoint);
+    const bool tell = waited >= 1 && (!options.launch.empty() || options.handover);
     fmt::print(stderr, "{}: made in {}{}\n", name, duration_text(record->seconds),
-               waited < 1 ? "" : fmt::format(", {} after it was launched", duration_text(waited)));
+               tell ? fmt::format(", {} after it was launched", duration_text(waited)) : "");
     return 0;
   }
 }
