@@ -286,7 +286,7 @@ check-bytes: build
 CASES ?=
 test-cluster: build
 	@.ci/packages "$$GIVEN_DEPS" test-cluster
-	@tests/cluster/run $(CASES)
+	@BUILD="$$GIVEN_BUILD" tests/cluster/run $(CASES)
 
 format:
 	@.ci/packages "$$GIVEN_DEPS" format
