@@ -107,10 +107,10 @@ void add_pooled_size(StatisticsTable& table, const std::vector<Search>& searches
 // section 5.4).
 void add_hierarchy_genes(StatisticsTable& table, const std::vector<Search>& searches) {
   double sum = 0;
-  for (const auto& [head, variant] :
-       {std::pair{"layer1", ""}, std::pair{"layer2", "n10"}, std::pair{"layer3", "b"}}) {
-    const auto found = std::ranges::find_if(
-        searches, [&](const Search& s) { return s.name.head == head && s.name.variant == variant; });
+  for (const auto& name : {std::pair{"layer1", ""}, std::pair{"layer2", "n10"}, std::pair{"layer3", "b"}}) {
+    const auto found = std::ranges::find_if(searches, [&](const Search& s) {
+      return s.name.head == name.first && s.name.variant == name.second;
+    });
     if (found == searches.end()) return;
     sum += found->genes;
   }
