@@ -17,6 +17,12 @@ TEST(Random, PhiloxMatchesTheKnownAnswer) {
   EXPECT_EQ(rng.bits(), 0x9b00dbd8u);
 }
 
+TEST(Random, EveryBitOfASeedCounts) {
+  std::set<std::uint32_t> first = {Rng(Seed(0)).bits()};
+  for (int bit = 0; bit < 64; ++bit) first.insert(Rng(Seed(std::uint64_t{1} << bit)).bits());
+  EXPECT_EQ(first.size(), 65u);
+}
+
 TEST(Random, StreamsDependOnNamesAndIndicesAlone) {
   const Seed root(42);
   EXPECT_EQ(root.child("layer1").child(3).key(), Seed(42).child("layer1").child(3).key());
@@ -44,6 +50,27 @@ TEST(Random, UniformFillsItsRangeEvenly) {
   double chi2 = 0;
   for (const int c : counts) chi2 += (c - kDraws / kBins) * (c - kDraws / kBins) / double(kDraws / kBins);
   EXPECT_LT(chi2, 85.4);  // 99.9 % of chi-square with 49 degrees of freedom
+}
+
+TEST(Random, RangesAndDoublesAreOfTheSameDraws) {
+  Rng rng(Seed(9)), same(Seed(9));
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(rng.uniform(-2, 3), -2 + 5 * same.uniform());
+  for (int i = 0; i < 100; ++i) {
+    const std::uint64_t high = same.bits(), low = same.bits();
+    EXPECT_EQ(rng.uniform_double(), static_cast<double>((high << 32 | low) >> 11) * 0x1p-53);
+  }
+}
+
+TEST(Random, BelowIsUnbiasedWhereManyDrawsAreRejected) {
+  Rng rng(Seed(10));
+  constexpr std::uint32_t n = 3u << 30;  // a fourth of all; else every third number would come twice as often
+  std::vector<int> counts(3);
+  for (int i = 0; i < 30000; ++i) {
+    const std::uint32_t drawn = rng.below(n);
+    ASSERT_LT(drawn, n);
+    ++counts[drawn % 3];
+  }
+  for (const int c : counts) EXPECT_NEAR(c, 10000, 4 * 82);
 }
 
 TEST(Random, BelowIsUnbiased) {
