@@ -86,7 +86,7 @@ TEST_F(NaoPicture, StandsOnTheFloorBeforeItsBoard) {
   const Scene all = scene(13);
   EXPECT_NEAR(box(part(all, "l_ankle")).min()[2], all.floor, 1e-6);
   EXPECT_NEAR(box(part(all, "posts")).min()[2], all.floor, .01);
-  const Posed& pane = part(all, "pane");
+  const Posed pane = part(all, "pane");
   EXPECT_LT(pane.meshes[0].opacity, 1);
   EXPECT_NEAR(box({"", pane.meshes}).sizes()[0], 2 * .6 * .258, 1e-3);
 }
