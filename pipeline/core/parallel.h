@@ -23,7 +23,7 @@ class LoopOrder {
   LoopOrder() { __tsan_release(&begun_); }
   ~LoopOrder() { __tsan_acquire(&ended_); }
   struct Body {
-    explicit Body(LoopOrder& loop) : loop(loop) { __tsan_acquire(&loop.begun_); }
+    explicit Body(LoopOrder& order) : loop(order) { __tsan_acquire(&loop.begun_); }
     ~Body() { __tsan_release(&loop.ended_); }
     LoopOrder& loop;
   };
