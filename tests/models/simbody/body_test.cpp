@@ -141,8 +141,7 @@ TEST(Body, ThreadsDoNotDisturbEachOther) {
   std::vector<std::thread> threads;
   for (auto& out : together) {
     out.resize(n);
-    threads.emplace_back(
-        [&body, &joints, &out, tip, n] { body.positions(tip, n, joints.data(), out.data()); });
+    threads.emplace_back([&, tip] { body.positions(tip, n, joints.data(), out.data()); });
   }
   for (std::thread& thread : threads) thread.join();
   for (const auto& out : together) EXPECT_EQ(out, alone);

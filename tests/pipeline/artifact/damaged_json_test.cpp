@@ -223,7 +223,7 @@ TEST_F(Damaged, SlicesAreRefusedInOneLine) {
     if (!told.empty()) {
       EXPECT_THAT(told, StartsWith(file.string() + ": ")) << what;
     }
-    complaint([&] { slice_from_json(parse_json(text, "f"), "f"); });
+    complaint([&, &damaged = text] { slice_from_json(parse_json(damaged, "f"), "f"); });
   }
   EXPECT_GT(refusals, all.size() / 2);  // the others are other texts, and other settings
 }
