@@ -49,16 +49,16 @@ TEST(RunRecord, CountsTheProgramAndItsChildren) {
   EXPECT_EQ(own.threads, 2);
   EXPECT_EQ(own.host, this_host());
   EXPECT_TRUE(own.toolchain.contains("processor"));
-  constexpr std::size_t kBytes = 50'000'000;
-  in_a_child([] {
+  // More than this process, which may have run other tests before, and their children have ever had.
+  const auto bytes = static_cast<std::size_t>(own.peak_memory_bytes) + 50'000'000;
+  in_a_child([bytes] {
     compute(0.2);
-    const std::vector<char> large(kBytes, 'x');
-    compute(large[kBytes / 2] == 'x' ? 0 : 1);
+    const std::vector<char> large(bytes, 'x');
+    compute(large[bytes / 2] == 'x' ? 0 : 1);
   });
   const RunRecord both = meter.read(0, 2);
   EXPECT_GE(both.cpu_seconds, own.cpu_seconds + 0.2);
-  EXPECT_LT(own.peak_memory_bytes, static_cast<std::int64_t>(kBytes));
-  EXPECT_GE(both.peak_memory_bytes, static_cast<std::int64_t>(kBytes));
+  EXPECT_GE(both.peak_memory_bytes, static_cast<std::int64_t>(bytes));
 }
 
 TEST(RunRecord, IsReadAsItWasWrittenAndNothingElseIs) {
