@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <csignal>
 
 #include "pipeline/artifact/content.h"
@@ -176,14 +175,55 @@ TEST(Runner, ASecondMakeIsToldSo) {
   EXPECT_THAT(both.text, HasSubstr("code 2"));
 }
 
-// As large as the paper's experiment: 50 replications of 18 stages.
-TEST(Runner, ALargeExperimentIsPlannedInNoTime) {
+// The bytes that this process and its children that have ended have read, from files and pipes.
+std::int64_t bytes_read() {
+  std::ifstream counters("/proc/self/io");
+  std::string name;
+  std::int64_t bytes = -1;
+  counters >> name >> bytes;
+  EXPECT_EQ(name, "rchar:");
+  return bytes;
+}
+
+// What planning reads, apart from what it says itself, which comes through a pipe.
+std::int64_t bytes_to_plan(const FakeFolder& folder, Outcome& plan) {
+  const std::string command = folder.command("plan");
+  const std::int64_t before = bytes_read();
+  plan = shell(command);
+  return bytes_read() - before - static_cast<std::int64_t>(plan.text.size());
+}
+
+// As large as the paper's experiment: 50 replications of 18 stages. The stage program is hashed once, not
+// once for each of them.
+TEST(Runner, ALargeExperimentIsPlannedByReadingNoMoreThanASmallOne) {
   FakeFolder folder("large");
+  Outcome plan;
+  folder.profile.replications = 1;
+  const std::int64_t small = bytes_to_plan(folder, plan);
+  EXPECT_EQ(std::count(plan.text.begin(), plan.text.end(), '\n'), 5);
+  EXPECT_GT(small, static_cast<std::int64_t>(fs::file_size(folder.programs / "fake_stage")));
   folder.profile.replications = 450;
-  const auto started = std::chrono::steady_clock::now();
-  const Outcome plan = shell(folder.command("plan"));
-  EXPECT_LT(std::chrono::steady_clock::now() - started, std::chrono::seconds(1));
+  EXPECT_LT(bytes_to_plan(folder, plan), small + 10'000);
   EXPECT_EQ(std::count(plan.text.begin(), plan.text.end(), '\n'), 903);
+}
+
+TEST(Runner, AFinishedExperimentIsPlannedWithoutReadingItsArtifactsOrPrograms) {
+  FakeFolder folder("finished");
+  folder.profile.base.size = folder.profile.layer_a.size = folder.profile.layer_b.size = 100'000;
+  folder.make();
+  const std::uintmax_t artifact = fs::file_size(folder.out() / "base.h5"),
+                       program = fs::file_size(folder.programs / "fake_stage");
+  Outcome plan;
+  folder.profile.sum.number = 9;
+  const std::int64_t without_hashing = bytes_to_plan(folder, plan);
+  EXPECT_THAT(plan.text, HasSubstr("slices/sum.json"));
+  std::ofstream(folder.out() / ".plan/hashes.json") << "{}";  // what was remembered of the program
+  const std::int64_t program_hashed = bytes_to_plan(folder, plan);
+  EXPECT_GT(artifact, 300'000u);
+  EXPECT_GE(program_hashed - without_hashing, static_cast<std::int64_t>(program - 10'000));
+  EXPECT_LT(program_hashed - without_hashing, static_cast<std::int64_t>(program + 10'000));
+  shell("find " + folder.out().string() + " -name base.h5 -exec touch {} +");  // now it has to be read
+  EXPECT_GE(bytes_to_plan(folder, plan) - program_hashed, static_cast<std::int64_t>(artifact));
 }
 
 TEST(ProgramHash, LeavesOutDebugInformationOnly) {
