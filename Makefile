@@ -57,6 +57,9 @@ dry := $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
 odd := ' " ` $$ ; & | < > { } [ ] * ? ! \ ~ : % = \# ( ) ,
 refuse_if = $(if $(1),$(error $(2)))
 $(foreach letter,$(odd),$(call refuse_if,$(findstring $(letter),$(stages)),no stage has a $(letter) in its name: '$(stages)'))
+# A / stands between a variation and its stage, and nowhere else.
+paths := $(strip $(filter /% ../% $(BUILD)/%,$(stages)) $(foreach goal,$(stages),$(if $(word 3,$(subst /, ,$(goal))),$(goal))))
+$(call refuse_if,$(paths),'$(firstword $(paths))' is a path: goals are stages and what `make help` lists; `make build` makes the programs)
 $(foreach letter,$(odd),$(call refuse_if,$(findstring $(letter),$(BUILD)),BUILD is '$(BUILD)': the build folder may have no $(letter) in its path))
 $(call refuse_if,$(word 2,$(BUILD)),BUILD is '$(BUILD)': the build folder may have no space in its path)
 beyond_cmake := ; " \ \#

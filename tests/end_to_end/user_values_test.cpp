@@ -131,6 +131,9 @@ TEST_F(UserValues, WhatCanNotBeHandedOnIsRefusedInOneLine) {
   EXPECT_THAT(refused("build", {{"BUILD", "a$b"}}), HasSubstr("may have no $ in its path"));
   for (const char* goal : {"\"a;b\"", "\"a:b\"", "\"a%b\"", "\"\\$(x)\"", "\"a b(\""})
     EXPECT_THAT(refused(goal, {}), HasSubstr("in its name"));
+  for (const std::string goal : {"build/release/bin/hbr", "build/x", "/tmp/x", "out/reduced/layer1/00.h5"})
+    EXPECT_THAT(refused(goal, {}), HasSubstr("'" + goal + "' is a path: goals are stages")) << goal;
+  EXPECT_THAT(make("short/layer3", {}, false).text, HasSubstr("<short/layer3>"));  // a variation's stage
 }
 
 TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
