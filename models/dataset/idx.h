@@ -18,7 +18,7 @@ struct Idx {
 // Reads bytes of `dimensions` dimensions from `file` or, where that is missing, from `file`.gz. sha256 is
 // that of the unpacked content, in hexadecimal; empty: not checked. Throws InputError, naming the file, for
 // one that is missing, unreadable, of another hash, type or number of dimensions, or whose length is not what
-// its sizes say.
+// its sizes say. Reads and unpacks no more than these sizes promise.
 Idx read_idx(const std::filesystem::path& file, std::size_t dimensions, const std::string& sha256);
 
 }  // namespace hbr

@@ -5,6 +5,12 @@
 #include "pipeline/core/file_error.h"
 
 namespace hbr {
+namespace {
+
+// The product of the other dimensions of an array with a dimension of 0 may be as large as that in any file.
+constexpr std::uint64_t kWidestEmpty = 1 << 16;
+
+}  // namespace
 
 struct Hdf5Reader::File {
   std::filesystem::path path;
@@ -71,15 +77,22 @@ Array<T> Hdf5Reader::read(const std::string& name) const {
 
   // A damaged size must not become a huge allocation: what is stored can't be more than the file holds.
   const bool empty = std::find(dimensions.begin(), dimensions.end(), hsize_t{0}) != dimensions.end();
-  const std::uint64_t limit = std::min<std::uint64_t>(file_->bytes, H5Dget_storage_size(set)) / sizeof(T);
-  std::uint64_t count = empty ? 0 : 1;
+  // Of an array without elements nothing is stored; but a caller may make room by its other dimensions.
+  const std::uint64_t limit =
+      empty ? std::max<std::uint64_t>(file_->bytes, kWidestEmpty)
+            : std::min<std::uint64_t>(file_->bytes, H5Dget_storage_size(set)) / sizeof(T);
+  std::uint64_t count = 1;
   for (const hsize_t n : dimensions) {
-    if (!empty && n > limit / count)
-      file_->fail(name,
-                  fmt::format("its shape [{}] asks for more than the {} elements stored: the file is damaged",
-                              fmt::join(dimensions, ", "), limit));
-    count *= n;
+    if (n > limit / count)
+      file_->fail(
+          name,
+          fmt::format(
+              "its shape [{}] asks for more than {}: the file is damaged", fmt::join(dimensions, ", "),
+              empty ? fmt::format("an array without elements may, {} in all but the dimensions of 0", limit)
+                    : fmt::format("the {} elements stored", limit)));
+    count *= std::max<hsize_t>(n, 1);
   }
+  if (empty) count = 0;
   Array<T> array;
   array.shape.assign(dimensions.begin(), dimensions.end());
   array.values.resize(count);

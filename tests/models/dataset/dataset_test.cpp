@@ -103,6 +103,35 @@ TEST_F(DatasetTest, RefusesAFileThatIsTooShort) {
   EXPECT_THAT(complaint(kIdxFiles[0]), HasSubstr("too short"));
 }
 
+TEST_F(DatasetTest, RefusesAFileThatIsTooLong) {
+  Bytes bytes = read(kIdxFiles[0]);
+  bytes.push_back(0);
+  write(kIdxFiles[0], bytes);
+  EXPECT_THAT(complaint(kIdxFiles[0]), AllOf(HasSubstr("30 x 28 x 28"), HasSubstr("found more")));
+  EXPECT_THAT(complaint(kIdxFiles[0], {"00", "00", "00", "00"}), HasSubstr("found more"));
+}
+
+// A few bytes that unpack to very many: no more of them is unpacked than the header promises. Damage behind
+// that is never seen, so its complaint would tell that everything was read.
+TEST_F(DatasetTest, UnpacksNoMoreThanTheHeaderPromises) {
+  const std::string name = std::string(kIdxFiles[0]) + ".gz";
+  write(kIdxFiles[0], idx_bytes({1, 28, 28}, Bytes(50'000'000)));
+  pack(kIdxFiles[0]);
+  Bytes bytes = read(name);
+  EXPECT_LT(bytes.size(), 100'000u);
+  bytes.back() ^= 1;  // the length that gzip notes at the end
+  write(name, bytes);
+  EXPECT_THAT(complaint(name), AllOf(HasSubstr("1 x 28 x 28"), HasSubstr("found more")));
+  // Nor anything where the promise is none that a file could keep.
+  write(kIdxFiles[0], idx_bytes({0xffffffff, 0xffffffff, 28}, Bytes(50'000'000)));
+  std::filesystem::remove(folder_ / name);
+  pack(kIdxFiles[0]);
+  bytes = read(name);
+  bytes.back() ^= 1;
+  write(name, bytes);
+  EXPECT_THAT(complaint(name), HasSubstr("no file has as many"));
+}
+
 TEST_F(DatasetTest, RefusesATruncatedGzip) {
   pack(kIdxFiles[0]);
   const std::string name = std::string(kIdxFiles[0]) + ".gz";

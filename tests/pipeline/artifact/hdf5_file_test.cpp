@@ -123,6 +123,27 @@ TEST_F(Hdf5File, SaysWhatIsNotAsExpected) {
   EXPECT_THAT(complaint([&] { Hdf5Writer(folder_ / "no" / "a.h5"); }), HasSubstr("No such file"));
 }
 
+// Nothing is stored of it that its shape could be compared with, and a reader may make room for its columns.
+TEST_F(Hdf5File, AnEmptyArrayIsNoWiderThanAnyReaderNeeds) {
+  const std::uint8_t none = 0;
+  {
+    Hdf5Writer out(file("a.h5"));
+    out.write("rows", {0, 1 << 16}, &none);
+    out.write("columns", {1 << 10, 0, 1 << 6}, &none);
+    out.write("wide", {0, (1 << 16) + 1}, &none);
+    out.write("long", {std::size_t{1} << 40, 0}, &none);
+    out.write("both", {1 << 10, 0, (1 << 6) + 1}, &none);
+    out.close();
+  }
+  const Hdf5Reader in(file("a.h5"));
+  EXPECT_THAT(in.read<std::uint8_t>("rows").shape, ElementsAre(0, 1 << 16));
+  EXPECT_THAT(in.read<std::uint8_t>("columns").shape, ElementsAre(1 << 10, 0, 1 << 6));
+  for (const char* name : {"wide", "long", "both"})
+    EXPECT_THAT(complaint([&] { in.read<std::uint8_t>(name); }),
+                HasSubstr("without elements may, 65536 in all"))
+        << name;
+}
+
 // Flips every bit of a small file in turn: each file is either refused or reads as it was.
 TEST_F(Hdf5File, NoFlippedBitChangesWhatIsRead) {
   {
