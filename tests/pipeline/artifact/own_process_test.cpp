@@ -20,7 +20,7 @@ const OwnProcess kSmall{std::size_t{256} << 20, 1};
 TEST(OwnProcess, HandsBackWhatTheWorkReturns) {
   EXPECT_EQ(kSmall.run("a", [] { return std::string(); }), "");
   std::string long_text;  // more than a pipe holds
-  for (int i = 0; i < 3000000; ++i) long_text += static_cast<char>(i * i);
+  for (unsigned i = 0; i < 3000000; ++i) long_text += static_cast<char>(i * i);
   EXPECT_EQ(kSmall.run("a", [&] { return long_text; }), long_text);
 }
 
