@@ -18,7 +18,6 @@ cp /etc/resolv.conf "$root/etc/"
 mkdir -p "$root/repository" "$root/mnist"
 cat >"$root/try" <<'TRY'
 set -euxo pipefail
-export HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive
 [ -z "$(ls /mnist)" ] || export MNIST_DIR=/mnist
 apt-get update -qq
 apt-get install -y -qq --no-install-recommends git make
@@ -29,14 +28,17 @@ make all PROFILE=reduced -j2
 make audit PROFILE=reduced
 make test
 TRY
-# The mounts are this process's own and end with it.
+# The mounts are this process's own and end with it. Nothing of who calls is known there (DEPS, CXX, make's own flags)
+# but the way to the packages.
 echo "$release: README's commands, all tests ($log)"
 unshare --mount --pid --fork --kill-child bash -euc '
   mount --bind "$2" "$1/repository"
   [ -z "$3" ] || mount --bind "$3" "$1/mnist"
   mount -t proc proc "$1/proc"
   mount --rbind /dev "$1/dev"
-  exec chroot "$1" bash /try' try "$root" "$PWD" "${MNIST_DIR:-}" </dev/null >>"$log" 2>&1 ||
+  bare=(PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive)
+  for name in http_proxy https_proxy no_proxy; do [ -z "${!name:-}" ] || bare+=("$name=${!name}"); done
+  exec chroot "$1" env -i "${bare[@]}" bash /try' try "$root" "$PWD" "${MNIST_DIR:-}" </dev/null >>"$log" 2>&1 ||
   { grep -E 'error|FAILED|\*\*\*' "$log" | tail >&2; echo "$release: failed; $log tells all" >&2; exit 1; }
 grep -E 'tests passed' "$log"
 
