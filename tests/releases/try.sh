@@ -15,6 +15,7 @@ rm -rf "$root"
 echo "$release: making a bare root"
 debootstrap --variant=minbase "$release" "$root" ${mirror:+"$mirror"} >"$log" 2>&1 || { tail "$log" >&2; exit 1; }
 cp /etc/resolv.conf "$root/etc/"
+echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/passing"  # a root that is thrown away need not survive a crash
 mkdir -p "$root/repository" "$root/mnist"
 cat >"$root/try" <<'TRY'
 set -euxo pipefail
