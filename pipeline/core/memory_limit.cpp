@@ -29,7 +29,7 @@ void lower_by_groups(Limit& limit, const fs::path& root, const fs::path& group, 
 
 }  // namespace
 
-std::string memory_limit() {
+std::string memory_limit(const fs::path& root) {
   Limit limit{static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE)),
               "the machine's memory"};
   for (const auto& [resource, who] :
@@ -38,14 +38,16 @@ std::string memory_limit() {
     if (::getrlimit(resource, &set) == 0 && set.rlim_cur != RLIM_INFINITY)
       lower(limit, static_cast<double>(set.rlim_cur), who);
   }
-  std::ifstream groups("/proc/self/cgroup");  // "0::/user.slice", or of version 1 "9:memory:/user.slice"
+  std::ifstream groups(root / "proc/self/cgroup");
+  // "0::/user.slice", or of version 1 "9:memory:/user.slice"
   for (std::string line; std::getline(groups, line);) {
     const std::size_t kind = line.find(':'), path = line.find(':', kind + 1);
     if (path == std::string::npos) continue;
     const std::string controllers = line.substr(kind + 1, path - kind - 1);
-    if (controllers.empty()) lower_by_groups(limit, "/sys/fs/cgroup", line.substr(path + 1), "memory.max");
+    if (controllers.empty())
+      lower_by_groups(limit, root / "sys/fs/cgroup", line.substr(path + 1), "memory.max");
     if (controllers == "memory")
-      lower_by_groups(limit, "/sys/fs/cgroup/memory", line.substr(path + 1), "memory.limit_in_bytes");
+      lower_by_groups(limit, root / "sys/fs/cgroup/memory", line.substr(path + 1), "memory.limit_in_bytes");
   }
   return fmt::format("{:.1f} GB ({})", 1e-9 * limit.first, limit.second);
 }
