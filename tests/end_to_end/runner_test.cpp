@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "pipeline/artifact/content.h"
+#include "pipeline/artifact/manifest.h"
 #include "tests/end_to_end/fake_folder.h"
 
 namespace hbr {
@@ -40,7 +41,10 @@ TEST(Runner, AChangedSettingRerunsItsStageAndWhatDependsOnIt) {
   FakeFolder folder("setting");
   folder.make();
   folder.profile.layer_b.number = 5;
-  EXPECT_THAT(folder.status().text, HasSubstr("0-1: settings.number 3.0 -> 5.0"));
+  const std::string status = folder.status().text;
+  EXPECT_THAT(status, HasSubstr("stage    fresh  stale  missing  why\n"));
+  EXPECT_THAT(status, HasSubstr("layer_a      2      0        0\n"));
+  EXPECT_THAT(status, HasSubstr("layer_b      0      2        0  0-1: settings.number 3.0 -> 5.0\n"));
   EXPECT_EQ(made(folder.make()), "layer_b/00 layer_b/01 pages sum");
   // Another slice, the same bytes: what depends on them is left alone.
   folder.profile.layer_b.steps = 1;
@@ -115,6 +119,27 @@ TEST(Runner, ADamagedArtifactIsToldAndMadeAgain) {
   EXPECT_TRUE(folder.artifacts() == artifacts);
   std::ofstream(folder.out() / "sum.json") << "{";
   EXPECT_EQ(made(folder.make()), "sum");
+}
+
+TEST(Runner, OtherBytesOfTheSameIngredientsAreTold) {
+  FakeFolder folder("reproducible");
+  folder.make();
+  const fs::path artifact = folder.out() / "base.h5", manifest = folder.out() / "base.json";
+  Manifest before = read_manifest(manifest);
+  before.content.sha256 = sha256_of_text("other bytes");
+  write_manifest(manifest, before);
+  fs::remove(artifact);
+  const Outcome other = folder.make();
+  EXPECT_EQ(other.code, 0);
+  const char* told = "base: not reproducible: the same ingredients gave other bytes than before\n";
+  EXPECT_THAT(other.text, HasSubstr(told));
+  // The same bytes are nothing to tell, nor are other ones of other ingredients.
+  fs::remove(artifact);
+  const Outcome same = folder.make();
+  EXPECT_EQ(made(same), "base");
+  EXPECT_THAT(same.text, Not(HasSubstr("not reproducible")));
+  folder.profile.base.number = 5;
+  EXPECT_THAT(folder.make().text, Not(HasSubstr("not reproducible")));
 }
 
 TEST(Runner, AFailingStageLeavesNothing) {
@@ -213,6 +238,7 @@ TEST(Runner, AFinishedExperimentIsPlannedWithoutReadingItsArtifactsOrPrograms) {
   folder.make();
   const std::uintmax_t artifact = fs::file_size(folder.out() / "base.h5"),
                        program = fs::file_size(folder.programs / "fake_stage");
+  EXPECT_THAT(shell(folder.command("audit")).text, HasSubstr("7 artifacts read again (4.0 MB), 0 missing"));
   Outcome plan;
   folder.profile.sum.number = 9;
   const std::int64_t without_hashing = bytes_to_plan(folder, plan);

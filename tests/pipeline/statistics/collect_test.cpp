@@ -340,6 +340,29 @@ TEST(Collect, RefusesWhatIsNotAsDescribed) {
   refuses("digits/00.h5", [](Hdf5Writer& f) {
     f.write("hbr/image", Array<std::uint8_t>{{1, 28, 28}, std::vector<std::uint8_t>(784)});
   });
+  // Digits that are as described but for one array.
+  const auto digits_with = [&](const std::string& odd) {
+    const std::filesystem::path path = folder.path() / "bad.h5";
+    Hdf5Writer file(path);
+    const auto rows = [&](const std::string& array) { return array == odd ? 3u : 2u; };
+    file.write("hbr/image", Array<std::uint8_t>{{2, 28, 28}, std::vector<std::uint8_t>(2 * 784)});
+    file.write("hbr/measures", Array<float>{{rows("measures"), 2}, std::vector<float>(2 * rows("measures"))});
+    for (const std::string array : {"objective", "confidence", "distance"})
+      file.write("hbr/" + array, std::vector<float>(rows(array)));
+    for (const std::string array : {"label", "good"})
+      file.write("hbr/" + array, std::vector<std::uint8_t>(rows(array), odd == "class" ? 10 : 9));
+    file.close();
+    try {
+      collect_statistics("tiny", {{"digits/00.h5", path}});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  for (const char* array : {"measures", "objective", "confidence", "distance", "label", "good"})
+    EXPECT_THAT(digits_with(array), testing::HasSubstr("the arrays of hbr/ differ in length")) << array;
+  EXPECT_THAT(digits_with("class"), testing::HasSubstr("hbr/label has a class above 9"));
+  EXPECT_THAT(digits_with("none"), testing::Not(testing::HasSubstr("hbr/")));  // it lacks the flat ones
   EXPECT_THROW(collect_statistics("tiny", {{"layer9/00.h5", "nowhere"}}), InputError);
   EXPECT_THROW(collect_statistics("tiny", {{"layer1/00.h5", "nowhere"}}), InputError);
 }
