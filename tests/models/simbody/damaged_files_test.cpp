@@ -102,7 +102,8 @@ TEST_P(DamagedMesh, IsRefusedOrTaken) {
 INSTANTIATE_TEST_SUITE_P(Files, DamagedMesh,
                          testing::Values(std::pair{"obj", "a.obj"}, std::pair{"stl", "a.stl"},
                                          std::pair{"stlb", "b.stl"}, std::pair{"collada", "a.dae"},
-                                         std::pair{"gltf2", "a.gltf"}, std::pair{"glb2", "a.glb"}));
+                                         std::pair{"gltf2", "a.gltf"}, std::pair{"glb2", "a.glb"}),
+                         [](const auto& file) { return std::string(file.param.first); });
 
 }  // namespace
 }  // namespace hbr

@@ -77,7 +77,8 @@ TEST_P(Formats, ComeBackAsTheyWere) {
 INSTANTIATE_TEST_SUITE_P(MeshFile, Formats,
                          testing::Values(std::pair{"obj", "a.obj"}, std::pair{"glb2", "a.glb"},
                                          std::pair{"gltf2", "a.gltf"}, std::pair{"stlb", "a.stl"},
-                                         std::pair{"stl", "a.stl"}, std::pair{"collada", "a.dae"}));
+                                         std::pair{"stl", "a.stl"}, std::pair{"collada", "a.dae"}),
+                         [](const auto& file) { return std::string(file.param.first); });
 
 TEST(MeshFile, ScaleAndMirrorKeepFacesOutward) {
   const TestFolder folder;
