@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -17,6 +17,7 @@ class PlanarArm final : public Robot {
   const Eigen::VectorXd& lower() const override { return lower_; }
   const Eigen::VectorXd& upper() const override { return upper_; }
   void pens(Eigen::Index n, const double* joints, Pen* pens) const override;
+  const std::vector<double>& links() const { return links_; }
 
  private:
   std::vector<double> links_;

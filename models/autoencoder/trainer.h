@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "models/autoencoder/autoencoder.h"
-#include "pipeline/artifact/settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/core/random.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

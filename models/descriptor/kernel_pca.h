@@ -8,7 +8,7 @@
 #include <span>
 
 #include "models/descriptor/reconstructing_descriptor.h"
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

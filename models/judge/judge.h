@@ -14,8 +14,8 @@
 #include "models/dataset/dataset.h"
 #include "models/judge/rbf_classifier.h"
 #include "pipeline/artifact/hdf5_file.h"
-#include "pipeline/artifact/settings.h"
 #include "pipeline/core/parallel.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

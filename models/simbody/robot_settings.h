@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/artifact/settings.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "pipeline/artifact/json_file.h"
-#include "pipeline/artifact/settings.h"
 #include "pipeline/core/file_error.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 namespace fs = std::filesystem;

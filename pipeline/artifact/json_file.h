@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pipeline/artifact/freshness.h"
-#include "pipeline/artifact/settings.h"
 #include "pipeline/artifact/slice.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

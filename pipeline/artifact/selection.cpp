@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "pipeline/artifact/settings.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "pipeline/artifact/graph.h"
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "pipeline/artifact/hdf5_file.h"
-#include "pipeline/artifact/settings.h"
 #include "pipeline/artifact/slice.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -18,11 +18,11 @@
 #include "pipeline/artifact/record.h"
 #include "pipeline/artifact/runner.h"
 #include "pipeline/artifact/selection.h"
-#include "pipeline/artifact/settings.h"
 #include "pipeline/artifact/status.h"
 #include "pipeline/artifact/threads.h"
 #include "pipeline/artifact/version.h"
 #include "pipeline/core/file_error.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 namespace fs = std::filesystem;

@@ -63,7 +63,7 @@ struct Pull {
   float cost;                         // sum of the distances, which the median makes least
   float here;  // samples that are right there: they hold the place with the strength of their number
 
-  Pull(const Samples<D>& samples, const Point<D>& place) {
+  [[gnu::always_inline]] Pull(const Samples<D>& samples, const Point<D>& place) {
     constexpr float kCoincident2 = 1e-14f;
     constexpr int kPairs = D * (D + 1) / 2;
     Lanes force_lanes[D] = {}, spread_lanes[kPairs] = {}, weight_lanes = {}, cost_lanes = {}, here_lanes = {};
@@ -226,9 +226,13 @@ Median<D> geometric_median(const Samples<D>& samples) {
   return with_distances<D>(samples, place);
 }
 
+template class Samples<1>;
 template class Samples<2>;
 template class Samples<3>;
+template class Samples<4>;
+template Median<1> geometric_median<1>(const Samples<1>&);
 template Median<2> geometric_median<2>(const Samples<2>&);
 template Median<3> geometric_median<3>(const Samples<3>&);
+template Median<4> geometric_median<4>(const Samples<4>&);
 
 }  // namespace hbr

@@ -1,35 +1,26 @@
-// Layer 1, points: the finished repertoire through which everything above moves the pen, and what it is
-// evolved for.
+// The lowest layer, points: the finished repertoire through which everything above moves the pen.
 #pragma once
 
 #include <array>
-#include <string>
 
 #include "pipeline/hierarchy/frame.h"
+#include "pipeline/hierarchy/layer.h"
 #include "pipeline/hierarchy/robot.h"
-#include "pipeline/qd/evaluator.h"
 #include "pipeline/qd/nearest_table.h"
 
 namespace hbr {
 
-// Joints [dof] of a genome [dof] in [0, 1]: the range of the limits.
-void decode_joints(const Robot& robot, const float* genome, double* joints);
-
-// Population variance of the joints, rad^2 (paper, section 4.3, the fitness of layer 1, to be minimised).
-double joint_variance(const double* joints, Eigen::Index dof);
-// Sum of the squares of all joints but the two largest, rad^2 (paper, section 5.2, the substitute's fitness).
-double few_joints(const double* joints, Eigen::Index dof);
-
-using JointCost = double (*)(const double* joints, Eigen::Index dof);
-// "joint_variance" or "few_joints".
-JointCost joint_cost(const std::string& name);
-
-// The finished layer.
-class PointLayer {
+class PointLayer final : public Layer {
  public:
   PointLayer(const Elites& elites, const Robot& robot, const Frame& frame);
 
-  Eigen::Index size() const { return position_.rows(); }
+  Eigen::Index size() const override { return position_.rows(); }
+  int command_size() const override { return 2; }
+  void nearest(int n, const float* const* commands, std::int32_t* elites) const override {
+    table_.nearest(n, {commands[0], commands[1]}, elites);
+  }
+  void perform(Executions& executions, Group group, const std::int32_t* elites, int repeat) const override;
+
   Eigen::Index dof() const { return joints_.cols(); }
   // Pen of an elite, m.
   Eigen::Vector2d position(std::int32_t elite) const { return position_.row(elite).transpose(); }
@@ -40,12 +31,11 @@ class PointLayer {
   // The elite whose pen is nearest to a place [m].
   std::int32_t nearest(const Eigen::Vector2d& place) const {
     const Eigen::Vector2f descriptor = frame_.point_descriptor(place).cast<float>();
-    return nearest(descriptor.data());
+    return table_.nearest(descriptor.data());
   }
 
-  // In the layer's own units: an elite's descriptor [2], and the elite nearest to one or to each of n.
+  // In the layer's own units: an elite's descriptor [2], and the elites nearest to n of them.
   const float* descriptor(std::int32_t elite) const { return table_.point(elite); }
-  std::int32_t nearest(const float* descriptor) const { return table_.nearest(descriptor); }
   void nearest(int n, const std::array<const float*, 2>& descriptors, std::int32_t* found) const {
     table_.nearest(n, descriptors, found);
   }
@@ -57,22 +47,6 @@ class PointLayer {
   NearestTable<2> table_;
   RowsD position_, joints_;
   Eigen::VectorXd mean_, variance_;
-};
-
-// Genome [dof] -> descriptor (P + L) / 2L, fitness minus the cost of the joints. No behaviour outside the
-// drawing area or farther from the drawing plane than the tolerance [m].
-class PointEvaluator final : public Evaluator {
- public:
-  PointEvaluator(const Robot& robot, const Frame& frame, JointCost cost, double off_plane_tolerance);
-  int descriptor_size() const override { return 2; }
-  bool deterministic() const override { return true; }
-  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
-
- private:
-  const Robot& robot_;
-  Frame frame_;
-  JointCost cost_;
-  double tolerance_;
 };
 
 }  // namespace hbr

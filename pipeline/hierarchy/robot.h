@@ -22,6 +22,11 @@ class Robot {
   virtual const Eigen::VectorXd& upper() const = 0;
   // Pen of each configuration: joints [n x dof] in radians, row-major; `pens` has n entries. Thread-safe.
   virtual void pens(Eigen::Index n, const double* joints, Pen* pens) const = 0;
+  // How far from the drawing plane a pen may be that draws, m.
+  virtual double off_plane_tolerance() const { return 0; }
+  // Whether a configuration [dof] runs neither into itself nor into the drawing area [-half_side,
+  // half_side]^2, m. Thread-safe.
+  virtual bool clear(const double* /*joints*/, double /*half_side*/) const { return true; }
 
   Eigen::Index dof() const { return lower().size(); }
 };

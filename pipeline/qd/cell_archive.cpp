@@ -6,10 +6,10 @@ namespace hbr {
 
 Added CellArchive::add(const Candidate& c) {
   Slot& slot = slot_of_cell_[cell_of(c.descriptor)];
-  if (slot == kNoSlot) return {Outcome::kNovel, slot = store_.append(c)};
-  if (c.fitness <= store_.fitness(slot)) return {Outcome::kRejected, kNoSlot};
+  if (slot == kNoSlot) return {Admission::kNovel, slot = store_.append(c)};
+  if (c.fitness <= store_.fitness(slot)) return {Admission::kRejected, kNoSlot};
   store_.replace(slot, c);
-  return {Outcome::kReplaced, slot};
+  return {Admission::kReplaced, slot};
 }
 
 void CellArchive::restore(const Elites& elites) {

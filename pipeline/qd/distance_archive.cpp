@@ -21,15 +21,16 @@ class DistanceArchive final : public Repertoire {
     if (near.first == kNoSlot) {
       const Slot slot = store_.append(c);
       grid_.insert(slot, c.descriptor);
-      return {Outcome::kNovel, slot};
+      return {Admission::kNovel, slot};
     }
     // A lone elite is never replaced: it has no neighbours to be less novel than (as the published code has
     // it).
-    if (size() == 1 || near.second_is_too_near || !wins(c, near.first)) return {Outcome::kRejected, kNoSlot};
+    if (size() == 1 || near.second_is_too_near || !wins(c, near.first))
+      return {Admission::kRejected, kNoSlot};
     grid_.erase(near.first);
     store_.replace(near.first, c);
     grid_.insert(near.first, c.descriptor);
-    return {Outcome::kReplaced, near.first};
+    return {Admission::kReplaced, near.first};
   }
 
   void restore(const Elites& elites) override {

@@ -5,10 +5,10 @@
 
 namespace hbr {
 
-enum class Outcome { kRejected, kReplaced, kNovel };
+enum class Admission { kRejected, kReplaced, kNovel };
 
 struct Added {
-  Outcome outcome;
+  Admission admission;
   Slot slot;  // where the candidate is now; kNoSlot when rejected
 };
 

@@ -24,7 +24,7 @@ class Roulette {
 class ScoreSelector : public Selector {
  public:
   void learn(Slot, const Added& child) final {
-    if (child.outcome == Outcome::kReplaced) replaced_.push_back(child.slot);
+    if (child.admission == Admission::kReplaced) replaced_.push_back(child.slot);
   }
   // The repertoire remembers all there is to know.
   std::vector<std::int64_t> memory() const final { return {}; }

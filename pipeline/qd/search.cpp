@@ -109,7 +109,7 @@ void Search::add() {
     return parent_slot_[i] != kNoSlot && repertoire_.store().id(parent_slot_[i]) == parent_id_[i];
   };
   for (int i = 0; i < settings_.batch; ++i) {
-    Added added{Outcome::kRejected, kNoSlot};
+    Added added{Admission::kRejected, kNoSlot};
     if (batch_.valid[i] && !(copy_[i] && parent_is_there(i))) {
       HBR_CHECK(batch_.descriptor.row(i).allFinite() && std::isfinite(batch_.fitness[i]),
                 "generation {}, child {}: descriptor or fitness is not finite", generation_, i);

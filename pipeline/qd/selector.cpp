@@ -35,8 +35,8 @@ void CuriositySelector::set(Slot slot, std::int64_t score) {
 
 void CuriositySelector::learn(Slot parent, const Added& child) {
   if (parent != kNoSlot && parent != child.slot)
-    set(parent, sum_[leaves_ + parent] + (child.outcome == Outcome::kRejected ? kPenalty : kReward));
-  if (child.outcome != Outcome::kRejected) set(child.slot, 0);
+    set(parent, sum_[leaves_ + parent] + (child.admission == Admission::kRejected ? kPenalty : kReward));
+  if (child.admission != Admission::kRejected) set(child.slot, 0);
 }
 
 Slot CuriositySelector::draw(Slot size, Rng& rng) const {

@@ -62,10 +62,11 @@ void add_tests(StatisticsTable& table) {
 }  // namespace
 
 nlohmann::json collect_statistics(const std::string& profile,
-                                  const std::map<std::string, std::filesystem::path>& inputs) {
+                                  const std::map<std::string, std::filesystem::path>& inputs,
+                                  const std::set<std::string>& layers) {
   Artifacts artifacts;
   for (const auto& [name, path] : inputs) {
-    const ArtifactName parsed = parse_artifact_name(name);
+    const ArtifactName parsed = parse_artifact_name(name, layers);
     artifacts[parsed.head].push_back({parsed, path});
   }
   StatisticsTable table(profile);
@@ -75,9 +76,10 @@ nlohmann::json collect_statistics(const std::string& profile,
   read_descriptor(artifacts["descriptor"], table);
   read_judge(artifacts["judge"], table);
   read_accuracy(artifacts["accuracy"], table);
-  read_arc_quality(artifacts["arc_quality"], table);
+  read_arc_quality(artifacts["arc_quality"], layers, table);
   read_substitution(artifacts["substitution"], table);
   read_digits(artifacts["digits"], table);
+  read_numbers(artifacts["numbers"], table);
   read_transfer(artifacts["transfer"], table);
   read_dynamics(artifacts["dynamics"], table);
   read_tuned(artifacts["tuned"], table);

@@ -87,6 +87,17 @@ std::string variant_words(const std::string& variant) {
   return words;
 }
 
+constexpr std::array kOfNumbers = {
+    Entry{"legible", "", "{}: share whose digits are all good to the judge and stand clear of each other"},
+    Entry{"values", "numbers", "{}: different numbers that can be read"},
+};
+
+std::optional<Meaning> of_numbers(const std::vector<std::string>& parts) {
+  const Entry* entry = parts.size() <= 3 ? find_entry(kOfNumbers, parts.back()) : nullptr;
+  if (!entry || parts.size() < 2) return {};
+  return make(*entry, parts.size() == 3 ? "numbers, drawn by " + parts[1] : "numbers");
+}
+
 std::optional<Meaning> of_search(const std::vector<std::string>& parts) {
   const std::string layer = search_words(parts[0]);
   if (layer.empty() || parts.size() < 2 || parts.size() > 3) return {};
@@ -118,6 +129,7 @@ std::optional<Meaning> meaning_of(const std::string& name) {
   if (auto meaning = of_search(parts)) return meaning;
   if (auto meaning = meaning_of_robots(parts)) return meaning;
   if (parts[0] == "digits") return of_digits(parts);
+  if (parts[0] == "numbers") return of_numbers(parts);
   if (parts[0] == "accuracy" && parts.size() == 2)
     return Meaning{"m^2", fmt::format("accuracy, {}: median squared error of the requested lines",
                                       variant_words(parts[1]))};

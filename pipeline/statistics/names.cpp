@@ -26,6 +26,7 @@ constexpr std::array kHeads = {
     Head{"flat_arcs", "flat baseline (arcs)", true, false},
     Head{"layer4", "layer 4 (digits)", true, false},
     Head{"flat_digits", "flat baseline (digits)", true, false},
+    Head{"layers", "layer", true, false},
     Head{"searches", "searches compared", false, false},
     Head{"autoencoder", "autoencoder", false, false},
     Head{"descriptor", "descriptor", false, false},
@@ -36,6 +37,7 @@ constexpr std::array kHeads = {
     Head{"substitution", "substitution of layer 1", false, false},
     Head{"digits", "digits", false, false},
     Head{"strokes", "strokes", false, false},
+    Head{"numbers", "numbers", false, true},
     Head{"transfer", "transfer", false, true},
     Head{"plane", "drawing plane", false, true},
     Head{"polish", "layer 1 on its plane", false, true},
@@ -65,7 +67,7 @@ std::string search_words(const std::string& head) {
   return found && found->search ? found->words : "";
 }
 
-ArtifactName parse_artifact_name(const std::string& name) {
+ArtifactName parse_artifact_name(const std::string& name, const std::set<std::string>& layers) {
   const auto fail = [&] {
     return InputError(
         "'{}' is no artifact's name; expected one of those in pipeline/artifact/FORMAT.md, such as "
@@ -93,6 +95,7 @@ ArtifactName parse_artifact_name(const std::string& name) {
       result.variant = stage.substr(0, stage.size() - word.size() - 1);
     }
   }
+  if (!best && layers.contains(stage)) return {"layers", stage, result.replication};
   if (!best || result.variant.find('.') != std::string::npos) throw fail();
   result.head = best->name;
   return result;

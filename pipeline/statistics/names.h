@@ -2,13 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace hbr {
 
 // "layer2_n10/03.h5" is {layer2, n10, 3}, "nao_transfer/00.h5" {transfer, nao, 0}, "judge.h5" {judge, "",
-// -1}. A robot's layer 1 is a variant of layer 1.
+// -1}. A robot's layer 1 is a variant of layer 1. A layer that a profile calls otherwise, as "spirals/01.h5",
+// is {layers, spirals, 1}.
 struct ArtifactName {
   std::string head;     // one of the names in FORMAT.md, without variant or robot
   std::string variant;  // may be empty
@@ -17,8 +19,9 @@ struct ArtifactName {
   std::string prefix() const { return variant.empty() ? head : head + "." + variant; }
 };
 
-// Throws InputError where the name has none of the forms of FORMAT.md.
-ArtifactName parse_artifact_name(const std::string& name);
+// `layers` are the profile's. Throws InputError where the name is none of them and has none of the forms of
+// FORMAT.md.
+ArtifactName parse_artifact_name(const std::string& name, const std::set<std::string>& layers = {});
 
 // Searches whose course is kept: layers, reference and flat baselines.
 bool is_search(const std::string& head);

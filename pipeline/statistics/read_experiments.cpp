@@ -51,12 +51,15 @@ void read_accuracy(const std::vector<Artifact>& artifacts, StatisticsTable& tabl
   }
 }
 
-void read_arc_quality(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+void read_arc_quality(const std::vector<Artifact>& artifacts, const std::set<std::string>& layers,
+                      StatisticsTable& table) {
   for (const Artifact& artifact : artifacts) {
     const Hdf5Reader file(artifact.path);
     for (const std::string& name : file.children("/")) {
       const bool flat = name.starts_with("flat");
-      const std::string subject = flat ? "flat_arcs" : "layer3." + without_layer(name);
+      const std::string subject = flat                    ? "flat_arcs"
+                                  : layers.contains(name) ? "layers." + name
+                                                          : "layer3." + without_layer(name);
       table.add(subject + ".fresh_mean", artifact.name.replication, mean(read_values(file, name + "/fresh")));
     }
   }

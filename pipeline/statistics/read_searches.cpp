@@ -23,8 +23,10 @@ void add_executions(const Hdf5Reader& file, const std::string& prefix, double ev
                     StatisticsTable& table) {
   if (!file.has_attribute("settings")) return;
   const auto settings = parse_json(file.text_attribute("settings"), file.path().string() + ": settings");
-  if (!settings.is_object() || !settings.contains("samples") || !settings["samples"].is_number()) return;
-  table.number(prefix + ".executions", evaluations * settings["samples"].get<double>());
+  if (!settings.is_object() || !settings.contains("layer") || !settings["layer"].is_object()) return;
+  const auto samples = settings["layer"].find("samples");
+  if (samples != settings["layer"].end() && samples->is_number())
+    table.number(prefix + ".executions", evaluations * samples->get<double>());
 }
 
 Search read_search(const Artifact& artifact, StatisticsTable& table) {

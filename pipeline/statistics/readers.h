@@ -24,9 +24,12 @@ void read_autoencoders(const std::vector<Artifact>& artifacts, StatisticsTable& 
 void read_descriptor(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_judge(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_accuracy(const std::vector<Artifact>& artifacts, StatisticsTable& table);
-void read_arc_quality(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+// `layers` that a profile calls otherwise than the paper's have statistics of their own.
+void read_arc_quality(const std::vector<Artifact>& artifacts, const std::set<std::string>& layers,
+                      StatisticsTable& table);
 void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_numbers(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_tuned(const std::vector<Artifact>& artifacts, StatisticsTable& table);

@@ -32,7 +32,7 @@ TEST_F(Descriptors, AreChosenByTheProfileAlone) {
     variations += "[[variations]]\nname = \"" + kind + "\"\nchanges = \"Other.\"\nset.descriptor.kind = \"" +
                   kind + "\"\n";
   write("mine.toml", "robots = []\n", variations);
-  const Outcome outcome = experiment_.make_of("mine.toml", "out", 2);
+  const ShellResult outcome = experiment_.make_of("mine.toml", "out", 2);
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   for (const std::string of : {"out/", "out/pca/", "out/kernel_pca/"}) {
     EXPECT_EQ(shape(of + "layer4/00.h5", "measures")[1], 3u) << of;
@@ -48,7 +48,7 @@ TEST_F(Descriptors, AreChosenByTheProfileAlone) {
   const fs::path file = experiment_.out("network.onnx");
   fs::copy_file(experiment_.out("out/onnx/00/whole.onnx"), file);
   write("mine.toml", "robots = []\n", "[descriptor]\nkind = \"onnx\"\nfile = \"" + file.string() + "\"\n");
-  const Outcome imported = experiment_.make_of("mine.toml", "imported", 1);
+  const ShellResult imported = experiment_.make_of("mine.toml", "imported", 1);
   ASSERT_EQ(imported.code, 0) << imported.text;
   EXPECT_THAT(made(imported), Not(HasSubstr("autoencoder")));
   const auto expected = Hdf5Reader(experiment_.out("out/autoencoder/00.h5")).read<float>("latent/position"),
@@ -64,7 +64,7 @@ TEST_F(Descriptors, AreChosenByTheProfileAlone) {
   fs::last_write_time(file, fs::file_time_type::clock::now());
   EXPECT_EQ(made(experiment_.make_of("mine.toml", "imported", 1)), "");
   fs::copy_file(experiment_.out("out/onnx/00/decoder.onnx"), file, fs::copy_options::overwrite_existing);
-  const Outcome wrong = experiment_.make_of("mine.toml", "imported", 1);
+  const ShellResult wrong = experiment_.make_of("mine.toml", "imported", 1);
   EXPECT_NE(wrong.code, 0);
   EXPECT_THAT(wrong.text, HasSubstr("network.onnx: expected a network that takes images n x 784"));
   fs::remove(file);

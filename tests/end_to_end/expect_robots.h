@@ -26,9 +26,9 @@ class RobotArtifacts {
   // plane, and clear of the robot itself and the board. Polishing brings them nearer and fills gaps.
   void expect_points(const std::string& name) const {
     const auto settings = nlohmann::json::parse(of(name + "_layer1").text_attribute("settings"));
-    auto table = settings_from_json<RobotSettings>(settings.at("robot"), name);
+    auto table = settings_from_json<RobotSettings>(settings.at("body").at("robot"), name);
     table.urdf = std::filesystem::path(HBR_SOURCE_DIR) / table.urdf;
-    const double half_side = settings.at("half_side");
+    const double half_side = settings.at("layer").at("half_side");
     const RobotOnPlane robot = make_robot(table, load_plane(out_ / (name + "_plane.h5")));
     const Clearance clearance(robot.body(), robot.tip());
     const Elites evolved = read_elites(path(name + "_layer1")),

@@ -6,6 +6,7 @@
 
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/drawing/draw.h"
+#include "tests/end_to_end/expect_format.h"
 #include "tests/end_to_end/expect_robots.h"
 #include "tests/end_to_end/tiny_experiment.h"
 
@@ -85,7 +86,7 @@ void expect_strokes_of_the_surest(const fs::path& out) {
                                                 {"layer4", "layer4/00.h5"},
                                                 {"digits", "made_up.h5"}}},
                                               {"output", "drawn.h5"}};
-  const Outcome outcome =
+  const ShellResult outcome =
       shell("cd " + out.string() +
             " && " HBR_BINARY_DIR
             "/bin/strokes --root . --slice made_up.json --output drawn.h5 --checkpoint none --threads 1");
@@ -98,7 +99,7 @@ void expect_strokes_of_the_surest(const fs::path& out) {
 // One test, since all begins with the whole experiment.
 TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   TinyExperiment experiment;
-  const Outcome first = experiment.make("one", 1), second = experiment.make("two", 2);
+  const ShellResult first = experiment.make("one", 1), second = experiment.make("two", 2);
   ASSERT_EQ(first.code, 0) << first.text;
   ASSERT_EQ(second.code, 0) << second.text;
   const auto artifacts = experiment.artifacts("one"), others = experiment.artifacts("two");
@@ -111,6 +112,7 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
 
   expect_strokes_draw_the_images(experiment.out("one"), experiment.out("one/strokes/00.h5"));
   expect_strokes_of_the_surest(experiment.out("one"));
+  DescribedFormat().expect(experiment.out("one"));
   const RobotArtifacts robots(experiment.out("one"));
   for (const char* robot : {"nao", "nao_left", "industrial"}) {
     SCOPED_TRACE(robot);
@@ -124,7 +126,7 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   // The page says what was found: its templates' fields are filled, no number is undefined.
   const std::string publish = HBR_BINARY_DIR "/bin/publish " + experiment.out("one/page").string() + " " +
                               experiment.out("one").string() + " " + experiment.out("report").string();
-  const Outcome published = shell(publish);
+  const ShellResult published = shell(publish);
   ASSERT_EQ(published.code, 0) << published.text;
   const std::string page = read(experiment.out("report/index.html"));
   EXPECT_THAT(page, HasSubstr("profile tiny"));
@@ -137,7 +139,7 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   EXPECT_EQ(made(experiment.make("one", 1)), "layer2_n10/00");
   EXPECT_TRUE(experiment.artifacts("one") == artifacts);
 
-  experiment.profile.set("layer3.variants", "generations", "21");
+  experiment.profile.set("layers.layer3_n1", "samples", "2");
   EXPECT_EQ(made(experiment.make("one", 1)), "arc_quality/00 layer3_n1/00 page statistics.json");
 
   experiment.profile.set("replications", "lines", "2");

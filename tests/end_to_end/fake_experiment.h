@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pipeline/artifact/graph.h"
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 namespace hbr {
 

@@ -11,19 +11,19 @@
 #include <map>
 #include <string>
 
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 #include "tests/end_to_end/fake_experiment.h"
 
 namespace hbr {
 
-struct Outcome {
+struct ShellResult {
   int code = 0;
   std::string text;  // stdout and stderr
 };
 
 // Runs a line in bash.
-inline Outcome shell(const std::string& line) {
-  Outcome outcome;
+inline ShellResult shell(const std::string& line) {
+  ShellResult outcome;
   // Make's own variables would make the tests depend on how they were called.
   FILE* pipe = ::popen(("env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS bash -c '" + line + "' 2>&1").c_str(), "r");
   char buffer[4096];
@@ -60,8 +60,8 @@ class FakeFolder {
     return tool() + " " + subcommand + " --profile " + (path / "profile.toml").string() + " --out " +
            folder.string() + " " + rest;
   }
-  Outcome make(const std::string& rest = "") const { return shell(command("make", rest)); }
-  Outcome status() const { return shell(command("status")); }
+  ShellResult make(const std::string& rest = "") const { return shell(command("make", rest)); }
+  ShellResult status() const { return shell(command("status")); }
 
   // The bytes of all artifacts, without what tells of the run: manifests and the plan.
   static std::map<std::string, std::string> artifacts(const std::filesystem::path& folder) {
@@ -97,7 +97,7 @@ class FakeFolder {
 };
 
 // The names that "NAME: made in ..." lines tell, sorted and joined.
-inline std::string made(const Outcome& outcome) {
+inline std::string made(const ShellResult& outcome) {
   std::map<std::string, int> names;
   for (std::size_t at = 0; (at = outcome.text.find(": made in ", at)) != std::string::npos; ++at) {
     const std::size_t line = outcome.text.rfind('\n', at) + 1;  // npos + 1 is 0

@@ -79,7 +79,7 @@ TEST(Kill, AtAnyTimeLeavesTheSameBytesAfterTheSameCommand) {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     for (const pid_t pid : family) EXPECT_FALSE(alive(pid));
   }
-  const Outcome last = folder.make();
+  const ShellResult last = folder.make();
   EXPECT_EQ(last.code, 0) << last.text;
   EXPECT_TRUE(folder.artifacts() == FakeFolder::artifacts(folder.path / "whole"));  // and no temporaries
   EXPECT_EQ(shell(folder.command("audit")).code, 0);

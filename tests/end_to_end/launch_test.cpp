@@ -22,7 +22,7 @@ TEST(Launch, RecordsAreTheProgramsNotTheLaunchers) {
   std::ofstream(folder.path / "server")
       << (root ? "hostname " + elsewhere + "\n" : "") << "mkfifo ask answer; touch ready\n"
       << "while mapfile -d \"\" words <ask; do \"${words[@]}\"; echo $? >answer; done\n";
-  const Outcome outcome = shell(
+  const ShellResult outcome = shell(
       "cd " + path + "; " + (root ? "unshare --uts " : "") + "bash server & until [ -e " + path +
       "/ready ]; do sleep 0.01; done; " +
       folder.command("make", launcher(folder, "cd " + path +
@@ -44,11 +44,11 @@ TEST(Launch, RecordsAreTheProgramsNotTheLaunchers) {
 TEST(Launch, AStageWithoutARecordHasFailed) {
   FakeFolder folder("record");
   const std::string find = "\"$@\"; while [ \"$1\" != --record ]; do shift; done; ";
-  const Outcome none = folder.make(launcher(folder, find + "rm \"$2\"") + " base");
+  const ShellResult none = folder.make(launcher(folder, find + "rm \"$2\"") + " base");
   EXPECT_NE(none.code, 0);
   EXPECT_THAT(none.text, HasSubstr("base: fake_stage succeeded, but left no record of its run"));
   EXPECT_EQ(folder.artifacts().size(), 0u);
-  const Outcome odd = folder.make(launcher(folder, find + "echo {} >\"$2\"") + " base");
+  const ShellResult odd = folder.make(launcher(folder, find + "echo {} >\"$2\"") + " base");
   EXPECT_NE(odd.code, 0);
   EXPECT_THAT(odd.text, HasSubstr("missing key 'exit'"));
   EXPECT_EQ(folder.artifacts().size(), 0u);
@@ -61,7 +61,7 @@ TEST(Launch, AProgramBuiltAnewWhileItWaitsIsNotTakenForTheOldOne) {
   fs::copy(folder.programs / "fake_stage", program);
   const std::string old_hash = sha256_of_program(program),
                     with = "--programs " + programs.string() + " base ";
-  const Outcome rebuilt =
+  const ShellResult rebuilt =
       folder.make(with + launcher(folder, "LC_ALL=C sed -i \"s/A stage for tests/B stage for tests/\" " +
                                               program.string() + "; \"$@\""));
   EXPECT_NE(rebuilt.code, 0);
@@ -78,15 +78,16 @@ TEST(Launch, WhatAStageReadsMayNotChangeMeanwhile) {
   const fs::path source = folder.path / "robot.urdf";
   folder.profile.sources = {source.string()};
   std::ofstream(source) << "a";
-  const Outcome changed = folder.make(launcher(folder, "echo b >>" + source.string() + "; \"$@\"") + " base");
+  const ShellResult changed =
+      folder.make(launcher(folder, "echo b >>" + source.string() + "; \"$@\"") + " base");
   EXPECT_NE(changed.code, 0);
   EXPECT_THAT(changed.text, HasSubstr("base: the file " + source.string() + " was changed while this ran"));
   EXPECT_EQ(folder.artifacts().size(), 0u);
   EXPECT_EQ(made(folder.make("base")), "base");
 
   const std::string base = (folder.out() / "base.h5").string();
-  const Outcome input = folder.make("layer_a --replication 0 " +
-                                    launcher(folder, "\"$@\"; code=$?; echo x >>" + base + "; exit $code"));
+  const ShellResult input = folder.make(
+      "layer_a --replication 0 " + launcher(folder, "\"$@\"; code=$?; echo x >>" + base + "; exit $code"));
   EXPECT_NE(input.code, 0);
   EXPECT_THAT(input.text, HasSubstr("layer_a/00: its input " + base + " is missing or damaged"));
   EXPECT_EQ(made(folder.make("layer_a --replication 0")), "base layer_a/00");

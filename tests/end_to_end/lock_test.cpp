@@ -24,7 +24,7 @@ class Claim : public testing::Test {
     fs::last_write_time(claim(), fs::file_time_type::clock::now() - age);
   }
   // Shell lines before `meanwhile`, which runs while a make (of the shell's $make) is at work, and after.
-  Outcome while_at_work(const std::string& meanwhile) {
+  ShellResult while_at_work(const std::string& meanwhile) {
     folder.profile.base.steps = 2000;
     const std::string until = "until [ -e " + claim().string() + " ]; do sleep 0.01; done; ";
     return shell(folder.command("make", "base") + " & make=$!; " + until + meanwhile +
@@ -37,7 +37,7 @@ class Claim : public testing::Test {
 
 TEST_F(Claim, AnotherHostsHoldsWhileItGivesSignsOfLife) {
   write("77.1234@node7", std::chrono::seconds(200));
-  const Outcome held = folder.make();
+  const ShellResult held = folder.make();
   EXPECT_EQ(held.code, 2);
   EXPECT_THAT(held.text,
               HasSubstr("another make (process 77 on node7) is at work in this folder (its last sign of "
@@ -46,7 +46,7 @@ TEST_F(Claim, AnotherHostsHoldsWhileItGivesSignsOfLife) {
   EXPECT_EQ(folder.artifacts().size(), 0u);
 
   write("77.1234@node7", std::chrono::seconds(400));
-  const Outcome free = folder.make();
+  const ShellResult free = folder.make();
   EXPECT_EQ(free.code, 0) << free.text;
   EXPECT_THAT(free.text,
               HasSubstr("the make before (process 77 on node7) was killed; this one takes its place"));
@@ -60,7 +60,7 @@ TEST_F(Claim, OnItsOwnHostTheProcessIsLookedAt) {
               HasSubstr(fmt::format("another make (process {} on {})", self.id, self.host)));
   ++self.started;  // another that had its number
   write(text_of(self), std::chrono::seconds(0));
-  const Outcome free = folder.make();
+  const ShellResult free = folder.make();
   EXPECT_EQ(free.code, 0) << free.text;
   EXPECT_THAT(free.text, HasSubstr("takes its place"));
   write("what is this", std::chrono::seconds(0));
@@ -71,8 +71,8 @@ TEST_F(Claim, AHolderThatHasEndedIsWaitedForUntilItsLockIsFree) {
   Process ended = this_process();
   ++ended.started;
   write(text_of(ended), std::chrono::seconds(0));
-  const Outcome waited = shell("flock " + (folder.out() / ".plan/lock").string() + " sleep 3 & sleep 0.3; " +
-                               folder.command("make", "base"));
+  const ShellResult waited = shell("flock " + (folder.out() / ".plan/lock").string() +
+                                   " sleep 3 & sleep 0.3; " + folder.command("make", "base"));
   EXPECT_EQ(waited.code, 0) << waited.text;
   EXPECT_EQ(made(waited), "base");
 }
@@ -80,13 +80,13 @@ TEST_F(Claim, AHolderThatHasEndedIsWaitedForUntilItsLockIsFree) {
 // Where a lock does not hold, as if each host had a file of its own.
 TEST_F(Claim, HoldsWithoutALock) {
   const std::string unlock = "rm " + (folder.out() / ".plan/lock").string() + "; ";
-  const Outcome here = while_at_work(unlock + folder.command("make", "base") + "; echo code $?");
+  const ShellResult here = while_at_work(unlock + folder.command("make", "base") + "; echo code $?");
   EXPECT_THAT(here.text, HasSubstr("another make (process "));
   EXPECT_THAT(here.text, HasSubstr("code 2"));
   EXPECT_THAT(here.text, HasSubstr("claim left:\n"));
   if (shell("unshare --uts hostname node8").code != 0) GTEST_SKIP() << "only root may be another host";
   std::ofstream(folder.path / "elsewhere") << "hostname node8\n" << folder.command("make", "base") << "\n";
-  const Outcome there =
+  const ShellResult there =
       while_at_work(unlock + "unshare --uts bash " + (folder.path / "elsewhere").string() + "; echo code $?");
   EXPECT_THAT(there.text, HasSubstr(" on " + this_host() + ") is at work in this folder (its last sign"));
   EXPECT_THAT(there.text, HasSubstr("code 2"));
@@ -101,12 +101,12 @@ TEST_F(Claim, IsKeptAliveAndItsLossEndsTheMake) {
       "run \" || kill -HUP "
       "$p; done; ";
   const std::string file = claim().string();
-  const Outcome alive =
+  const ShellResult alive =
       while_at_work("touch -d \"1 hour ago\" " + file + "; " + keeper +
                     "sleep 0.2; echo $(( $(date +%s) - $(stat -c %Y " + file + ") < 60 )) young");
   EXPECT_THAT(alive.text, HasSubstr("1 young"));
   EXPECT_THAT(alive.text, HasSubstr("claim left:\n"));
-  const Outcome lost =
+  const ShellResult lost =
       while_at_work("printf 77.1234@node7 >" + file + "; " + keeper + "wait $make; echo code $?");
   EXPECT_THAT(lost.text, HasSubstr("another make (process 77 on node7) took this folder"));
   EXPECT_THAT(lost.text, Not(HasSubstr("made in")));

@@ -37,11 +37,11 @@ class Makefile : public testing::Test {
   static void write(const fs::path& checkout, const std::string& text) {
     std::ofstream(checkout / "sources.txt") << text << '\n';
   }
-  static Outcome make(const fs::path& checkout, const std::string& words) {
+  static ShellResult make(const fs::path& checkout, const std::string& words) {
     return shell("env -u BUILD -u HBR_ARCH -u WERROR -u CXX make -C " + checkout.string() + " DEPS=none " +
                  words);
   }
-  Outcome make(const std::string& words) { return make(checkout_, words); }
+  ShellResult make(const std::string& words) { return make(checkout_, words); }
   // Once more with the same words: nothing is configured.
   void expect_kept(const std::string& words) {
     EXPECT_THAT(make("-n " + words).text, Not(HasSubstr("--fresh"))) << words;
@@ -49,7 +49,7 @@ class Makefile : public testing::Test {
 };
 
 TEST_F(Makefile, WarningsStopNoUser) {
-  const Outcome outcome = make("build");
+  const ShellResult outcome = make("build");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_THAT(outcome.text, HasSubstr("arch native, werror OFF,"));
   expect_kept("build");
@@ -73,7 +73,7 @@ TEST_F(Makefile, AMovedOrCopiedCheckoutBuildsItsOwnSources) {
   EXPECT_THAT(make(copy, "build").text, HasSubstr("the copy's sources"));
   fs::rename(copy, moved);
   write(moved, "the moved sources");
-  const Outcome outcome = make(moved, "build");
+  const ShellResult outcome = make(moved, "build");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_THAT(outcome.text, HasSubstr("the moved sources"));
 }
@@ -98,7 +98,7 @@ TEST_F(Makefile, ABuildElsewhereLeavesTheSourcesAlone) {
 }
 
 TEST_F(Makefile, ABuildFolderThatCannotBeWrittenIsTold) {
-  const Outcome outcome = make("build BUILD=/proc/hbr");
+  const ShellResult outcome = make("build BUILD=/proc/hbr");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.text, HasSubstr("can't write to /proc/hbr: name a folder for the programs with BUILD"));
 }

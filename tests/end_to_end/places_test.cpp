@@ -14,7 +14,7 @@ using testing::Not;
 
 constexpr const char* kNoMount = "neither this user nor a namespace of theirs may mount a file system";
 
-std::ptrdiff_t lines(const Outcome& outcome) { return std::ranges::count(outcome.text, '\n'); }
+std::ptrdiff_t lines(const ShellResult& outcome) { return std::ranges::count(outcome.text, '\n'); }
 
 TEST(Places, AFullDiskIsToldAndRecoveredFrom) {
   FakeFolder folder("tmpfs");
@@ -22,11 +22,11 @@ TEST(Places, AFullDiskIsToldAndRecoveredFrom) {
   const SmallFileSystem small(folder.out(), "size=1M");
   if (!small.mounted) GTEST_SKIP() << kNoMount;
   folder.profile.layer_b.size = 80'000;  // 640 kB each
-  const Outcome full = shell(small.words + folder.command("make"));
+  const ShellResult full = shell(small.words + folder.command("make"));
   const auto artifacts = FakeFolder::artifacts(small.seen());
-  const Outcome audit = shell(small.words + folder.command("audit"));
+  const ShellResult audit = shell(small.words + folder.command("audit"));
   small.change("size=20M");
-  const Outcome again = shell(small.words + folder.command("make"));
+  const ShellResult again = shell(small.words + folder.command("make"));
   EXPECT_NE(full.code, 0);
   EXPECT_THAT(full.text, HasSubstr("No space left on device; make room"));
   EXPECT_THAT(artifacts, testing::Contains(testing::Key("base.h5")));
@@ -41,9 +41,9 @@ TEST(Places, WithoutInodesTheFileAndARemedyAreTold) {
   const SmallFileSystem small(folder.out(), "size=4M,nr_inodes=16");
   if (!small.mounted) GTEST_SKIP() << kNoMount;
   folder.profile.replications = 20;
-  const Outcome full = shell(small.words + folder.command("make"));
+  const ShellResult full = shell(small.words + folder.command("make"));
   small.change("nr_inodes=10000");
-  const Outcome again = shell(small.words + folder.command("make"));
+  const ShellResult again = shell(small.words + folder.command("make"));
   EXPECT_NE(full.code, 0);
   EXPECT_THAT(full.text, HasSubstr(folder.out().string()));
   EXPECT_THAT(full.text, HasSubstr("No space left on device; no inodes are left there: remove files"));
@@ -67,7 +67,7 @@ TEST(Places, OtherThingsInThePlaceOfArtifactsAndManifestsGiveWay) {
   fs::create_symlink("00.h5", folder.out() / "layer_a/00.h5");
   fs::remove_all(folder.out() / "pages");
   fs::create_symlink("layer_b", folder.out() / "pages");
-  const Outcome outcome = folder.make();
+  const ShellResult outcome = folder.make();
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_EQ(made(outcome), "base layer_a/00 pages sum");
   EXPECT_TRUE(folder.artifacts() == artifacts);
@@ -84,7 +84,7 @@ TEST(Places, OtherThingsInThePlaceOfItsOwnFoldersAreNamed) {
       fs::create_directory(folder.out() / place);
     else
       std::ofstream(folder.out() / place) << "somebody\'s";
-    const Outcome outcome = folder.make();
+    const ShellResult outcome = folder.make();
     EXPECT_EQ(outcome.code, 2) << outcome.text;
     EXPECT_THAT(outcome.text, HasSubstr((folder.out() / place).string() + ": "));
     EXPECT_THAT(outcome.text, HasSubstr("remove "));
@@ -98,13 +98,13 @@ TEST(Places, OtherThingsInThePlaceOfItsOwnFoldersAreNamed) {
 // What may be asked of a finished run, and of one that is not.
 void expect_readable(FakeFolder& folder, const std::string& words, const std::string& reason) {
   for (const char* subcommand : {"make", "status", "audit", "graph", "plan"}) {
-    const Outcome outcome = shell(words + folder.command(subcommand));
+    const ShellResult outcome = shell(words + folder.command(subcommand));
     EXPECT_EQ(outcome.code, 0) << subcommand << ": " << outcome.text;
   }
   EXPECT_THAT(shell(words + folder.command("make")).text, HasSubstr("nothing to do, 7 artifacts"));
   folder.profile.sum.number = 77;
   EXPECT_EQ(shell(words + folder.command("status")).code, 0);
-  const Outcome unfinished = shell(words + folder.command("make"));
+  const ShellResult unfinished = shell(words + folder.command("make"));
   EXPECT_EQ(unfinished.code, 2) << unfinished.text;
   EXPECT_EQ(lines(unfinished), 1) << unfinished.text;
   EXPECT_THAT(unfinished.text,
@@ -118,7 +118,7 @@ TEST(Places, AFinishedRunMayStandWhereItCanOnlyBeRead) {
   fs::create_directories(folder.out());
   const SmallFileSystem small(folder.out(), "size=4M");
   if (!small.mounted) GTEST_SKIP() << kNoMount;
-  const Outcome made = shell(small.words + folder.command("make"));
+  const ShellResult made = shell(small.words + folder.command("make"));
   ASSERT_EQ(made.code, 0) << made.text;
   small.change("ro");
   expect_readable(folder, small.words, "Read-only file system; ");
@@ -141,7 +141,7 @@ TEST(Places, WithoutMemoryTheStageAndTheLimitAreTold) {
 #endif
   FakeFolder folder("memory");
   folder.profile.layer_a.size = 100'000'000;
-  const Outcome outcome = shell("ulimit -v 500000; " + folder.command("make"));
+  const ShellResult outcome = shell("ulimit -v 500000; " + folder.command("make"));
   EXPECT_NE(outcome.code, 0);
   EXPECT_THAT(outcome.text,
               HasSubstr("layer_a/00: out of memory: at most 0.5 GB (ulimit -v); raise the limit, or use "

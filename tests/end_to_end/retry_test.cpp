@@ -33,7 +33,7 @@ TEST(Retry, GoesOnUntilItIsMadeAndSaysWhy) {
        "fake_stage succeeded, but left nothing at"}};
   for (const auto& [script, reason] : reasons) {
     FakeFolder folder("retry");
-    const Outcome outcome = folder.make(launcher(folder, at_first(2, script)) + " --retry 2 base");
+    const ShellResult outcome = folder.make(launcher(folder, at_first(2, script)) + " --retry 2 base");
     EXPECT_EQ(outcome.code, 0) << outcome.text;
     EXPECT_EQ(count(outcome.text, "base: fake_stage "), 2) << outcome.text;
     EXPECT_THAT(outcome.text, HasSubstr("; try 3 of 3\n"));
@@ -45,7 +45,7 @@ TEST(Retry, GoesOnUntilItIsMadeAndSaysWhy) {
 
     fs::remove(folder.path / "calls");
     folder.profile.base.number = 7;
-    const Outcome last = folder.make(launcher(folder, at_first(2, script)) + " --retry 1 base");
+    const ShellResult last = folder.make(launcher(folder, at_first(2, script)) + " --retry 1 base");
     EXPECT_NE(last.code, 0);
     EXPECT_THAT(last.text, HasSubstr("(try 2 of 2)"));
   }
@@ -55,19 +55,19 @@ TEST(Retry, IsNotForWhatCannotBecomeRight) {
   FakeFolder folder("refused");
   folder.profile.base.behaviour = "refuses";
   for (const std::string& launch : {std::string(), launcher(folder, "\"$@\"")}) {
-    const Outcome refused = folder.make(launch + " --retry 3 base");
+    const ShellResult refused = folder.make(launch + " --retry 3 base");
     EXPECT_NE(refused.code, 0);
     EXPECT_EQ(count(refused.text, "the fake input is wrong"), 1) << refused.text;
     EXPECT_THAT(refused.text, Not(HasSubstr("try ")));
   }
-  const Outcome none = folder.make("--launch \"nosuch -n1\" --retry 3 base");
+  const ShellResult none = folder.make("--launch \"nosuch -n1\" --retry 3 base");
   EXPECT_NE(none.code, 0);
   EXPECT_THAT(none.text, HasSubstr("hbr: LAUNCH=" +
                                    std::string("\x27nosuch -n1\x27: no such command (exit code 127): its "
                                                "first word must be a command on this machine\x27s PATH")));
   EXPECT_THAT(none.text, Not(HasSubstr("try ")));
   folder.profile.base.behaviour = "crashes";
-  const Outcome crashed = folder.make("--retry 3 base");
+  const ShellResult crashed = folder.make("--retry 3 base");
   EXPECT_EQ(count(crashed.text, "fake_stage was ended by a signal: Aborted"), 4) << crashed.text;
 }
 
@@ -78,7 +78,7 @@ TEST(Retry, IsNotForWhoWantsItToEnd) {
   for (const char* signal : {"HUP", "TERM"}) {
     fs::remove(ready);
     // To the runner, as a terminal would; make waits for it.
-    const Outcome outcome =
+    const ShellResult outcome =
         shell(folder.command("make", launch + " --retry 5 base") + " & until [ -e " + ready +
               " ]; do sleep 0.01; done; for p in $(cat /proc/$!/task/$!/children); do tr \"\\0\" \" \" "
               "</proc/$p/cmdline | "
@@ -119,7 +119,7 @@ TEST(LaunchVariables, TellTheJobAndWhatItMayNeed) {
 
 TEST(LaunchVariables, HaveOneDollar) {
   FakeFolder folder("dollars");
-  const Outcome two = folder.make("--launch \"env A=\\$\\$HBR_JOB\" base");
+  const ShellResult two = folder.make("--launch \"env A=\\$\\$HBR_JOB\" base");
   EXPECT_EQ(two.code, 2);
   EXPECT_THAT(two.text, HasSubstr("write one $ before a variable\x27s name"));
   EXPECT_EQ(folder.make("--launch \"env A=\\$HBR_JOB\" base").code, 0);
@@ -134,7 +134,7 @@ TEST(Groups, AreLaunchedOnceAndLeaveTheSameBytes) {
   EXPECT_EQ(jobs(), "base layer_a/00 layer_a/01 layer_b/00 layer_b/01 pages sum ");  // nothing is known yet
   const auto artifacts = folder.artifacts();
   shell("rm " + folder.out().string() + "/*.h5 " + folder.out().string() + "/*/*.h5");
-  const Outcome outcome = shell("MAKEFLAGS=-j4 " + folder.command("make", launch));
+  const ShellResult outcome = shell("MAKEFLAGS=-j4 " + folder.command("make", launch));
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_THAT(outcome.text, HasSubstr("7 of 7 artifacts to make in 4 launches"));
   EXPECT_EQ(jobs(), "base layer_a/00+1 layer_a/01+1 sum+1 ");
@@ -155,7 +155,7 @@ TEST(Groups, FailAndAreTriedAgainStageByStage) {
   shell(remove);
   // The job is lost.
   const std::string again = " --group 1000 --retry 2 layer";
-  const Outcome lost = folder.make(launcher(folder, at_first(1, "exit 9")) + again);
+  const ShellResult lost = folder.make(launcher(folder, at_first(1, "exit 9")) + again);
   EXPECT_EQ(lost.code, 0) << lost.text;
   EXPECT_EQ(made(lost), "layer_a/00 layer_b/00");
   EXPECT_THAT(lost.text, HasSubstr("layer_a/00+1: hbr did not come to its end: LAUNCH="));
@@ -170,7 +170,7 @@ TEST(Groups, FailAndAreTriedAgainStageByStage) {
     folder.profile.layer_b.behaviour = behaviour;
     folder.make();  // so that it is known how long it takes
     shell("rm " + folder.out().string() + "/layer_a/00.h5");
-    const Outcome outcome = folder.make(launcher(folder, "exec \"$@\"") + again);
+    const ShellResult outcome = folder.make(launcher(folder, "exec \"$@\"") + again);
     EXPECT_NE(outcome.code, 0);
     EXPECT_EQ(made(outcome), "layer_a/00") << outcome.text;
     EXPECT_EQ(count(outcome.text, "layer_b/00: fake_stage was ended by a signal") +
@@ -185,8 +185,8 @@ TEST(Groups, GoOnWithWhatDoesNotNeedTheFailedOne) {
   ASSERT_EQ(folder.make().code, 0);
   const std::string out = folder.out().string();
   shell("cd " + out + "; rm layer_a/00.h5 layer_b/*.h5");
-  const Outcome outcome = shell(folder.tool() + " run --out " + out +
-                                " layer_b/00.h5 layer_b/01.h5");  // the first lacks its input
+  const ShellResult outcome = shell(folder.tool() + " run --out " + out +
+                                    " layer_b/00.h5 layer_b/01.h5");  // the first lacks its input
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(made(outcome), "layer_b/01");
 }
@@ -197,7 +197,7 @@ TEST(Groups, EndWhereTheMakeThatWantedThemHasEnded) {
   shell("rm -r " + (folder.out() / "layer_b").string() + "/*.h5 " + (folder.out() / "layer_a").string() +
         "/*.h5");
   const std::string claim = (folder.out() / ".plan/claim").string();
-  const Outcome orphan = folder.make(
+  const ShellResult orphan = folder.make(
       launcher(folder, "printf 7.8@node9 >" + claim + "; \"$@\"; code=$?; rm " + claim + "; exit $code") +
       " --group 1000 layer");
   EXPECT_NE(orphan.code, 0);

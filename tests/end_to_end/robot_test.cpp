@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 class RobotProgram : public testing::Test {
  protected:
-  Outcome robot(const std::string& arguments) const {
+  ShellResult robot(const std::string& arguments) const {
     return shell("cd " HBR_SOURCE_DIR " && " HBR_BINARY_DIR "/bin/robot " + arguments);
   }
   TemporaryFolder folder_;
@@ -20,7 +20,7 @@ class RobotProgram : public testing::Test {
 
 TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
   const fs::path out = folder_.path() / "out";
-  const Outcome told = robot("models/industrial/six_joint_arm.urdf " + out.string() + " \"\" elbow=0.5");
+  const ShellResult told = robot("models/industrial/six_joint_arm.urdf " + out.string() + " \"\" elbow=0.5");
   EXPECT_EQ(told.code, 0) << told.text;
   for (const char* words :
        {"8 links, 7 joints, of which 6 move", "\nelbow      revolute  upper_arm -> fore_arm",
@@ -37,7 +37,7 @@ TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
 
 TEST_F(RobotProgram, SaysWhatNoJointCanDo) {
   const std::string arm = "models/industrial/six_joint_arm.urdf " + folder_.path().string() + " \"\" ";
-  const Outcome told = robot(arm + "elbow=0.5 shoulder=50");
+  const ShellResult told = robot(arm + "elbow=0.5 shoulder=50");
   EXPECT_EQ(told.code, 0) << told.text;
   EXPECT_THAT(told.text, HasSubstr("\nodd: joint \'shoulder\' can\'t stand at 50: it moves in ["));
   EXPECT_THAT(told.text, testing::Not(HasSubstr("odd: joint \'elbow\'")));
@@ -51,7 +51,7 @@ TEST_F(RobotProgram, RefusesInOneLine) {
                                          {arm + out + " \"\" knee=1", "no joint"},
                                          {arm + out + " \"\" elbow=1 elbow=2", "its joint is given twice"},
                                          {arm + "/proc/no", "/proc/no: can"}}) {
-    const Outcome told = robot(arguments + " 2>&1 >/dev/null");
+    const ShellResult told = robot(arguments + " 2>&1 >/dev/null");
     EXPECT_EQ(told.code, 2) << told.text;
     EXPECT_THAT(told.text, HasSubstr(words));
     EXPECT_EQ(std::count(told.text.begin(), told.text.end(), '\n'), 1) << told.text;

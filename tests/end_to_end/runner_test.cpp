@@ -19,10 +19,10 @@ const std::string kEverything = "base layer_a/00 layer_a/01 layer_b/00 layer_b/0
 
 TEST(Runner, MakesWhatIsMissingAndThenHasNothingToDo) {
   FakeFolder folder("nothing");
-  const Outcome first = folder.make();
+  const ShellResult first = folder.make();
   EXPECT_EQ(first.code, 0) << first.text;
   EXPECT_EQ(made(first), kEverything);
-  const Outcome second = folder.make();
+  const ShellResult second = folder.make();
   EXPECT_EQ(second.code, 0);
   EXPECT_THAT(second.text, HasSubstr("nothing to do, 7 artifacts are as they should be"));
   // Time stamps do not matter, nor does a folder that was moved.
@@ -63,7 +63,7 @@ TEST(Runner, SourcesCountByContent) {
   FakeFolder folder("sources");
   const fs::path source = folder.path / "robot.urdf";
   folder.profile.sources = {source.string()};
-  const Outcome missing = folder.make();
+  const ShellResult missing = folder.make();
   EXPECT_NE(missing.code, 0);
   EXPECT_THAT(missing.text, HasSubstr("base: the file " + source.string() + ", which it reads, is missing"));
   EXPECT_THAT(folder.status().text, HasSubstr("robot.urdf, which it reads, is missing"));
@@ -90,7 +90,7 @@ TEST(Runner, StagesFamiliesAndReplicationsByName) {
 
 TEST(Runner, PlanTellsTheTruthAndWritesNothing) {
   FakeFolder folder("plan");
-  const Outcome before = shell(folder.command("plan"));
+  const ShellResult before = shell(folder.command("plan"));
   EXPECT_EQ(before.code, 0);
   EXPECT_THAT(before.text, HasSubstr("fake_stage --root"));
   EXPECT_FALSE(fs::exists(folder.out()));
@@ -108,12 +108,12 @@ TEST(Runner, ADamagedArtifactIsToldAndMadeAgain) {
   const auto artifacts = folder.artifacts();
   std::ofstream(folder.out() / "layer_a/00.h5", std::ios::app) << "x";
   std::ofstream(folder.out() / "pages/extra.txt") << "x";
-  const Outcome audit = shell(folder.command("audit"));
+  const ShellResult audit = shell(folder.command("audit"));
   EXPECT_EQ(audit.code, 1);
   EXPECT_THAT(audit.text, HasSubstr("layer_a/00.h5: damaged: expected sha256"));
   EXPECT_THAT(audit.text, HasSubstr("7 artifacts read again"));
   EXPECT_THAT(audit.text, HasSubstr("2 not as they should be"));
-  const Outcome again = folder.make();
+  const ShellResult again = folder.make();
   EXPECT_THAT(again.text, HasSubstr("layer_a/00.h5: damaged"));
   EXPECT_EQ(made(again), "layer_a/00 pages");
   EXPECT_TRUE(folder.artifacts() == artifacts);
@@ -129,13 +129,13 @@ TEST(Runner, OtherBytesOfTheSameIngredientsAreTold) {
   before.content.sha256 = sha256_of_text("other bytes");
   write_manifest(manifest, before);
   fs::remove(artifact);
-  const Outcome other = folder.make();
+  const ShellResult other = folder.make();
   EXPECT_EQ(other.code, 0);
   const char* told = "base: not reproducible: the same ingredients gave other bytes than before\n";
   EXPECT_THAT(other.text, HasSubstr(told));
   // The same bytes are nothing to tell, nor are other ones of other ingredients.
   fs::remove(artifact);
-  const Outcome same = folder.make();
+  const ShellResult same = folder.make();
   EXPECT_EQ(made(same), "base");
   EXPECT_THAT(same.text, Not(HasSubstr("not reproducible")));
   folder.profile.base.number = 5;
@@ -150,7 +150,7 @@ TEST(Runner, AFailingStageLeavesNothing) {
   for (const auto& [behaviour, text] : told) {
     FakeFolder folder("failing");
     folder.profile.layer_a.behaviour = behaviour;
-    const Outcome outcome = folder.make();
+    const ShellResult outcome = folder.make();
     EXPECT_NE(outcome.code, 0);
     EXPECT_THAT(outcome.text, HasSubstr(text));
     EXPECT_EQ(folder.artifacts().size(), 1u);  // base
@@ -161,7 +161,7 @@ TEST(Runner, AFailingStageLeavesNothing) {
 
 TEST(Runner, LaunchWordsStandBeforeEveryStage) {
   FakeFolder folder("launch");
-  const Outcome outcome = folder.make("--launch \"env FAKE=1 nice -n 1\" base");
+  const ShellResult outcome = folder.make("--launch \"env FAKE=1 nice -n 1\" base");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_EQ(made(outcome), "base");
   EXPECT_EQ(made(folder.make("--threads 1 base")), "");  // neither is part of the key
@@ -172,7 +172,7 @@ TEST(Runner, LaunchWordsStandBeforeEveryStage) {
 TEST(Runner, BadFoldersAndFullDisksAreOneClearLine) {
   FakeFolder folder("places");
   std::ofstream(folder.path / "file") << "x";
-  const Outcome below = shell(folder.command_at(folder.path / "file/out", "make"));
+  const ShellResult below = shell(folder.command_at(folder.path / "file/out", "make"));
   EXPECT_EQ(below.code, 2);
   EXPECT_EQ(
       below.text,
@@ -182,7 +182,7 @@ TEST(Runner, BadFoldersAndFullDisksAreOneClearLine) {
   EXPECT_EQ(shell(folder.command_at("/proc/hbr", "make")).code, 2);
 
   folder.profile.layer_a.size = 100'000;
-  const Outcome full = shell("ulimit -f 200; " + folder.command("make"));
+  const ShellResult full = shell("ulimit -f 200; " + folder.command("make"));
   EXPECT_NE(full.code, 0);
   EXPECT_THAT(full.text, HasSubstr("layer_a/00: "));
   EXPECT_THAT(full.text, HasSubstr("File too large"));
@@ -193,7 +193,7 @@ TEST(Runner, BadFoldersAndFullDisksAreOneClearLine) {
 TEST(Runner, ASecondMakeIsToldSo) {
   FakeFolder folder("second");
   folder.profile.base.steps = 1500;
-  const Outcome both =
+  const ShellResult both =
       shell(folder.command("make") + " & sleep 0.3; " + folder.command("make") + "; echo code $?; kill %1");
   EXPECT_THAT(both.text, HasSubstr("another make (process "));
   EXPECT_THAT(both.text, HasSubstr("is at work in this folder"));
@@ -211,7 +211,7 @@ std::int64_t bytes_read() {
 }
 
 // What planning reads, apart from what it says itself, which comes through a pipe.
-std::int64_t bytes_to_plan(const FakeFolder& folder, Outcome& plan) {
+std::int64_t bytes_to_plan(const FakeFolder& folder, ShellResult& plan) {
   const std::string command = folder.command("plan");
   const std::int64_t before = bytes_read();
   plan = shell(command);
@@ -222,7 +222,7 @@ std::int64_t bytes_to_plan(const FakeFolder& folder, Outcome& plan) {
 // once for each of them.
 TEST(Runner, ALargeExperimentIsPlannedByReadingNoMoreThanASmallOne) {
   FakeFolder folder("large");
-  Outcome plan;
+  ShellResult plan;
   folder.profile.replications = 1;
   const std::int64_t small = bytes_to_plan(folder, plan);
   EXPECT_EQ(std::count(plan.text.begin(), plan.text.end(), '\n'), 5);
@@ -239,7 +239,7 @@ TEST(Runner, AFinishedExperimentIsPlannedWithoutReadingItsArtifactsOrPrograms) {
   const std::uintmax_t artifact = fs::file_size(folder.out() / "base.h5"),
                        program = fs::file_size(folder.programs / "fake_stage");
   EXPECT_THAT(shell(folder.command("audit")).text, HasSubstr("7 artifacts read again (4.0 MB), 0 missing"));
-  Outcome plan;
+  ShellResult plan;
   folder.profile.sum.number = 9;
   const std::int64_t without_hashing = bytes_to_plan(folder, plan);
   EXPECT_THAT(plan.text, HasSubstr("slices/sum.json"));

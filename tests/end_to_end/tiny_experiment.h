@@ -64,12 +64,12 @@ class TinyExperiment {
     profile.set("judge", "training_images", "200");
     profile.set("judge", "bumps", "50");
     profile.set("random_strokes", "images", "50");
-    profile.set("search", "batch", "50");
-    profile.set("search", "record_every", "10");
-    profile.set("search", "cvt_cells", "200");
+    profile.set("defaults", "batch", "50");
+    profile.set("defaults", "record_every", "10");
+    profile.set("defaults", "cvt_cells", "200");
     profile.set("searches", "replications", "2");
-    profile.set("experiments", "accuracy_requests", "200");
-    profile.set("experiments", "fresh_starts", "20");
+    profile.set("accuracy", "requests", "200");
+    profile.set("arc_quality", "fresh_starts", "20");
     profile.set("dynamics", "every", "100");
     for (const char* layer : {"line", "arc", "digit"})
       profile.set("tuning", fmt::format("{}_generations", layer), "5");
@@ -82,13 +82,13 @@ class TinyExperiment {
   }
 
   fs::path out(const std::string& name) const { return folder_.path() / name; }
-  Outcome make(const std::string& name, int threads) const {
+  ShellResult make(const std::string& name, int threads) const {
     profile.write(folder_.path() / "profile.toml");
     return make_of("profile.toml", name, threads);
   }
   // Of a profile that stands beside it.
-  Outcome make_of(const std::string& profile_file, const std::string& name, int threads,
-                  const std::string& goals = "") const {
+  ShellResult make_of(const std::string& profile_file, const std::string& name, int threads,
+                      const std::string& goals = "") const {
     return shell("cd " HBR_SOURCE_DIR " && " HBR_BINARY_DIR "/bin/hbr make --profile " +
                  (folder_.path() / profile_file).string() + " --out " + out(name).string() + " --threads " +
                  std::to_string(threads) + " " + goals);

@@ -57,8 +57,8 @@ class UserValues : public testing::Test {
     fs::permissions(file, fs::perms::owner_all);
   }
   // The values travel by the environment, so that this test's own shell does not touch them.
-  Outcome make(const std::string& goal, const std::map<std::string, std::string>& values,
-               bool by_environment) {
+  ShellResult make(const std::string& goal, const std::map<std::string, std::string>& values,
+                   bool by_environment) {
     std::string words, others;
     for (const char* name : {"OUT", "PROFILE", "BUILD", "LAUNCH", "RETRY", "THREADS", "REP", "MNIST_DIR",
                              "URDF", "MESHES", "POSE"})
@@ -70,8 +70,8 @@ class UserValues : public testing::Test {
     }
     ::setenv("CHECKOUT", checkout_.c_str(), 1);
     given_.push_back("CHECKOUT");
-    const Outcome outcome = shell("env" + others + " make -C \"$CHECKOUT\" DEPS=none " + goal + words +
-                                  " 2>&1 | grep -v \"^make.*directory\"");
+    const ShellResult outcome = shell("env" + others + " make -C \"$CHECKOUT\" DEPS=none " + goal + words +
+                                      " 2>&1 | grep -v \"^make.*directory\"");
     TearDown();
     given_.clear();
     EXPECT_FALSE(fs::exists(checkout_ / "pwned"));
@@ -117,7 +117,7 @@ TEST_F(UserValues, OutFollowsTheProfilesName) {
 
 TEST_F(UserValues, WhatCanNotBeHandedOnIsRefusedInOneLine) {
   const auto refused = [&](const std::string& goal, const std::map<std::string, std::string>& values) {
-    const Outcome outcome = make(goal, values, false);
+    const ShellResult outcome = make(goal, values, false);
     EXPECT_EQ(std::ranges::count(outcome.text, '\n'), 1) << outcome.text;
     EXPECT_THAT(outcome.text, HasSubstr("  Stop.\n"));
     return outcome.text;
@@ -138,7 +138,7 @@ TEST_F(UserValues, WhatCanNotBeHandedOnIsRefusedInOneLine) {
 
 TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
   if (::geteuid() != 0) GTEST_SKIP() << "only root can become another user";
-  const Outcome first = make("status", {}, false);
+  const ShellResult first = make("status", {}, false);
   ASSERT_THAT(first.text, HasSubstr("<hbr><status>"));
   for (const auto& entry : fs::recursive_directory_iterator(folder_.path()))
     fs::permissions(
@@ -147,7 +147,7 @@ TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
         fs::perm_options::add);
   fs::remove(checkout_ / "build/.packages");
   for (const char* goal : {"status", "audit", "verify", "all", "robot"}) {
-    const Outcome outcome = shell(
+    const ShellResult outcome = shell(
         "env -u OUT -u PROFILE -u BUILD -u DEPS setpriv --reuid=65534 --regid=65534 --clear-groups make -C " +
         checkout_.string() + " " + goal);
     EXPECT_EQ(outcome.code, 0) << outcome.text;
@@ -160,13 +160,13 @@ TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
 
 TEST_F(UserValues, TheRepositorysPathMayBeOdd) {
   set_up(folder_.path() / "it's a dol$lar, ünï (a=b) & 50%");
-  const Outcome outcome = make("status", {{"OUT", "o"}}, false);
+  const ShellResult outcome = make("status", {{"OUT", "o"}}, false);
   EXPECT_THAT(outcome.text, HasSubstr("<hbr><status><--profile><paper><--out><o>"));
   EXPECT_THAT(make("status", {{"OUT", "o"}}, false).text, testing::StartsWith("<hbr>"));  // configured once
   // Where CMake itself fails, one line says so.
   for (const char* letter : {";", "\"", "\\", "#"}) {
     set_up(folder_.path() / (std::string("a") + letter + "b"));
-    const Outcome refused = make("status", {}, false);
+    const ShellResult refused = make("status", {}, false);
     EXPECT_THAT(refused.text, HasSubstr(std::string("there is a ") + letter + " in this path.  Stop.\n"));
     EXPECT_EQ(std::ranges::count(refused.text, '\n'), 1);
     EXPECT_THAT(make("help", {}, false).text, HasSubstr("make all"));

@@ -16,13 +16,14 @@ TEST(Variations, RunOnlyWhatTheyTouchAndGiveTheBytesOfTheChangedProfile) {
   experiment.profile.set("dataset", "folder", "\"/no/such/folder\"");  // without digits nobody asks
   const std::string variation =
       "base = \"profile.toml\"\nname = \"varied\"\n[[variations]]\nname = \"short\"\nchanges = \"Shorter.\"\n"
-      "set.layer3.epsilon = 0.2\n";
+      "set.defaults.arcs.epsilon = 0.2\nset.defaults.flat_arcs.epsilon = 0.2\n";
   std::ofstream(experiment.out("varied.toml")) << variation;
-  const Outcome plain = experiment.make("plain", 1);
+  const ShellResult plain = experiment.make("plain", 1);
   ASSERT_EQ(plain.code, 0) << plain.text;
-  const Outcome varied = experiment.make_of("varied.toml", "varied", 2);
+  const ShellResult varied = experiment.make_of("varied.toml", "varied", 2);
   ASSERT_EQ(varied.code, 0) << varied.text;
-  experiment.profile.set("layer3", "epsilon", "0.2");
+  for (const char* kind : {"defaults.arcs", "defaults.flat_arcs"})
+    experiment.profile.set(kind, "epsilon", "0.2");
   experiment.profile.write(experiment.out("changed.toml"));
   ASSERT_EQ(experiment.make_of("changed.toml", "changed", 1, "statistics").code, 0);
 
@@ -68,21 +69,22 @@ TEST(Variations, RunOnlyWhatTheyTouchAndGiveTheBytesOfTheChangedProfile) {
   };
   EXPECT_THAT(call("verify", "varied").text, HasSubstr("there is no reference"));
   ASSERT_EQ(call("keep", "varied").code, 0);
-  const Outcome verified = call("verify", "varied");
+  const ShellResult verified = call("verify", "varied");
   EXPECT_EQ(verified.code, 0) << verified.text;
   EXPECT_THAT(verified.text, HasSubstr("bit for bit: no difference"));
   fs::rename(experiment.out("kept/varied"), experiment.out("kept/tiny"));
-  const Outcome other_run = call("verify", "plain");
+  const ShellResult other_run = call("verify", "plain");
   EXPECT_EQ(other_run.code, 0) << other_run.text;
   EXPECT_THAT(other_run.text, HasSubstr("variation short: not in this run, not compared"));
   fs::rename(experiment.out("kept/tiny/short.statistics.json"), experiment.out("kept/tiny/statistics.json"));
-  const Outcome different = call("verify", "plain");
+  const ShellResult different = call("verify", "plain");
   EXPECT_EQ(different.code, 2);
   EXPECT_THAT(different.text, HasSubstr("different: layer3.n10.mean: "));
 
   // What changes in the base is no less a change.
-  experiment.profile.set("layer3", "epsilon", "0.025");
-  experiment.profile.set("experiments", "fresh_starts", "7");
+  for (const char* kind : {"defaults.arcs", "defaults.flat_arcs"})
+    experiment.profile.set(kind, "epsilon", "0.025");
+  experiment.profile.set("arc_quality", "fresh_starts", "7");
   experiment.profile.write(experiment.out("profile.toml"));
   EXPECT_EQ(made(experiment.make_of("varied.toml", "varied", 1, "arc_quality short/arc_quality")),
             "arc_quality/00 arc_quality/01 short/arc_quality/00 short/arc_quality/01");

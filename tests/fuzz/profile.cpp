@@ -1,5 +1,5 @@
 // The profile, with what it builds on, up to the graph of its stages.
-#include "stages/experiment.h"
+#include "stages/plan/experiment.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace hbr::fuzz {
@@ -20,7 +20,7 @@ std::vector<std::string> profiles() {
 
 std::vector<std::string> examples() {
   std::vector<std::string> all = {
-      "base = \"lines.toml\"\nname = \"mine\"\nseed = 7\n[layer1]\ngenerations = 2000\n",
+      "base = \"lines.toml\"\nname = \"mine\"\nseed = 7\n[layers.layer1]\ngenerations = 2000\n",
       "base = \"lines.toml\"\nname = \"mine\"\n[[variations]]\nname = \"short\"\nchanges = \"Lines.\"\n"
       "set.longest_line = 0.15\nset.layer3.spacing = 0.04\n"};
   for (std::string& profile : profiles()) all.push_back(std::move(profile));

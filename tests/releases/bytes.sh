@@ -11,7 +11,7 @@ for compiler in $3; do
   for architecture in $4; do
     name=$compiler-$architecture
     { cmake --fresh -S . -B "$folder/$name" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DHBR_ARCH="$architecture" \
-        -DBUILD_TESTING=OFF && ninja -C "$folder/$name" "${stages[@]}"; } >"$folder/$name.log" 2>&1 ||
+        -DBUILD_TESTING=OFF && ninja -C "$folder/$name" layer; } >"$folder/$name.log" 2>&1 ||
       { tail "$folder/$name.log" >&2; exit 1; }
     rm -rf "$folder/$name.out"
     "$hbr" make --profile stages/profiles/reduced.toml --out "$folder/$name.out" --programs "$folder/$name/bin" \

@@ -8,7 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "pipeline/hierarchy/digit_layer.h"
+#include "pipeline/hierarchy/layers/digits.h"
+#include "pipeline/hierarchy/layers/flat_arcs.h"
+#include "pipeline/hierarchy/layers/flat_digits.h"
 #include "pipeline/qd/cvt_archive.h"
 #include "pipeline/qd/grid_archive.h"
 #include "pipeline/qd/score_selectors.h"
@@ -123,52 +125,58 @@ void other_searches(Signature& signature, const Evaluator& points) {
                 points, 40);
 }
 
+// A search of a layer with the paper's mutation rates.
+Elites run(Signature& signature, const DistanceArchiveSettings& archive, const LayerModel& model,
+           std::int64_t generations) {
+  const GenomeShape shape = model.genome();
+  if (shape.fixed()) return signature.run(archive, mutation(shape.genes()), model.evaluator(), generations);
+  const BlockMutation blocks(shape.head, shape.block, shape.most_blocks, 10, 0.1f,
+                             static_cast<float>(shape.length_rate));
+  return signature.run(archive, blocks, model.evaluator(), generations);
+}
+
+void arcs(Signature& signature, const PlanarArm& arm, const Stack& lines) {
+  for (const ArcReadingSettings& reading :
+       {ArcReadingSettings{"circle", "mean"}, ArcReadingSettings{"centroid", "pooled"}}) {
+    for (const int samples : {1, 10})
+      run(signature, kArcArchive, *make_arcs(arcs_settings("lines", samples, reading), {arm, &lines}), 30);
+    for (const char* start : {"straight", "first", "random"})
+      run(signature, kArcArchive,
+          *make_flat_arcs({reading, kFrame.half_side, kFrame.longest_line, start}, {arm}), 50);
+  }
+}
+
+void digits(Signature& signature, const PlanarArm& arm, const Stack& arcs) {
+  const SumsDescriptor sums;
+  for (const char* out_of_range : {"radius", "axes", "reject"})
+    for (const double spacing : {0.0, 0.01})
+      run(signature, kDigitArchive, *make_digits(digits_settings(spacing, out_of_range), {arm, &arcs, &sums}),
+          40);
+  for (const auto& [pen, start] : {std::pair{"straight", "first"}, std::pair{"joints", "straight_arm"}})
+    run(signature, kDigitArchive,
+        *make_flat_digits({kFrame.half_side, pen, start, 0.05, {"box", 1, 4}}, {arm, nullptr, &sums}), 40);
+}
+
 std::uint64_t signature() {
   Signature signature;
   const PlanarArm arm(kLinks, kJointLimit);
-  const PointEvaluator variance(arm, kFrame, joint_variance, 0), few(arm, kFrame, few_joints, 0);
-  const Elites point_elites = signature.run(kPointArchive, mutation(8), variance, 600);
-  signature.run(kPointArchive, mutation(8), few, 100);
-  other_searches(signature, variance);
+  const auto points = make_points(points_settings(), {arm});
+  const Elites point_elites = run(signature, kPointArchive, *points, 600);
+  run(signature, kPointArchive, *make_points(points_settings("few_joints"), {arm}), 100);
+  other_searches(signature, points->evaluator());
 
-  const PointLayer points(point_elites, arm, kFrame);
-  Frame square = kFrame;
-  square.line_range = LineRange::kSquare;
-  for (const Frame& frame : {kFrame, square})
+  const Stack one = stack_of(arm, point_elites);
+  for (const char* range : {"disc", "square"})
     for (const int samples : {1, 100})
-      signature.run(kLineArchive, mutation(2), LineEvaluator(points, frame, samples), 40);
-  const Elites line_elites = signature.run(kLineArchive, mutation(2), LineEvaluator(points, kFrame, 10), 400);
-  signature.run(kLineArchive, mutation(2), LineFromStartEvaluator(points, kFrame), 50);
+      run(signature, kLineArchive, *make_lines(lines_settings(samples, range), {arm, &one}), 40);
+  const Elites line_elites = run(signature, kLineArchive, *make_lines(lines_settings(10), {arm, &one}), 400);
+  run(signature, kLineArchive, *make_lines_from_start({kFrame.longest_line, "disc"}, {arm, &one}), 50);
 
-  const LineLayer lines(line_elites, kFrame);
-  const ArcController five_lines = arc_controller("lines"), turn = arc_controller("turn");
-  for (const ArcReading reading : {ArcReading{}, ArcReading{ArcCentre::kCentroid, JointTerm::kPooled}}) {
-    for (const int samples : {1, 10})
-      signature.run(kArcArchive, mutation(five_lines.genes),
-                    ArcEvaluator(points, lines, kFrame, five_lines, samples, reading), 30);
-    for (const FlatStart start : {FlatStart::kStraight, FlatStart::kFirst, FlatStart::kRandom}) {
-      const FlatArcEvaluator flat(arm, kFrame, start, reading);
-      signature.run(kArcArchive, mutation(flat.genes()), flat, 50);
-    }
-  }
+  const Stack two = stack_of(arm, point_elites, line_elites);
+  arcs(signature, arm, two);
   const Elites arc_elites =
-      signature.run(kArcArchive, mutation(turn.genes), ArcEvaluator(points, lines, kFrame, turn, 10), 200);
-
-  const ArcLayer arcs(arc_elites, kFrame, turn);
-  const SumsDescriptor sums;
-  const Pencil pencil{Framing::box, 1, 4};
-  const BlockMutation triplets(kDigitHead, kDigitBlock, kMostArcs, 10, 0.1f, 0.05f);
-  for (const OutOfRange out_of_range : {OutOfRange::kRadius, OutOfRange::kAxes, OutOfRange::kReject})
-    for (const double spacing : {0.0, 0.01}) {
-      const Hierarchy hierarchy(points, lines, arcs, kFrame, spacing, out_of_range);
-      signature.run(kDigitArchive, triplets, DigitEvaluator(hierarchy, pencil, sums), 40);
-    }
-  for (const FlatDigitReading reading :
-       {FlatDigitReading{}, FlatDigitReading{FlatPen::kJoints, FlatDigitStart::kStraightArm}}) {
-    const FlatDigits flat(arm, kFrame, pencil, reading);
-    const BlockMutation sets(FlatDigits::kHead, flat.block(), kMostArcs, 10, 0.1f, 0.05f);
-    signature.run(kDigitArchive, sets, FlatDigitEvaluator(flat, sums), 40);
-  }
+      run(signature, kArcArchive, *make_arcs(arcs_settings("turn", 10), {arm, &two}), 200);
+  digits(signature, arm, stack_of(arm, point_elites, line_elites, arc_elites));
   return signature.value();
 }
 

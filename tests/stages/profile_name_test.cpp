@@ -1,4 +1,4 @@
-#include "stages/profile_name.h"
+#include "stages/plan/profile_name.h"
 
 #include <gmock/gmock.h>
 

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
@@ -9,8 +10,8 @@
 #include "pipeline/artifact/freshness.h"
 #include "pipeline/artifact/profile.h"
 #include "pipeline/core/check.h"
-#include "stages/experiment.h"
-#include "stages/profile.h"
+#include "stages/plan/experiment.h"
+#include "stages/plan/profile.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -74,19 +75,13 @@ TEST(Profiles, ReadingsOfTheDigits) {
        {std::tuple("flat_digits/02.h5", "straight", "first"),
         std::tuple("joints/flat_digits/02.h5", "joints", "first"),
         std::tuple("straight_arm/flat_digits/02.h5", "straight", "straight_arm")}) {
-    EXPECT_EQ(nodes.at(output).settings["pen"], pen);
-    EXPECT_EQ(nodes.at(output).settings["start"], start);
+    EXPECT_EQ(nodes.at(output).settings["layer"]["pen"], pen);
+    EXPECT_EQ(nodes.at(output).settings["layer"]["start"], start);
   }
-  EXPECT_EQ(nodes.at("layer4/00.h5").settings["out_of_range"], "radius");
-  EXPECT_EQ(nodes.at("axes/layer4/00.h5").settings["out_of_range"], "axes");
-  EXPECT_EQ(nodes.at("reject/layer4/00.h5").settings["out_of_range"], "reject");
-  EXPECT_EQ(nodes.at("workspace/layer4/00.h5").settings["pencil"]["framing"], "workspace");
-}
-
-// Transfer draws by the same readings as layer 4.
-TEST(Profiles, TransferReadsTripletsAsLayer4) {
-  const auto nodes = by_output(experiment_graph(kProfiles / "paper.toml"));
-  EXPECT_EQ(nodes.at("nao_transfer/00.h5").settings["out_of_range"], "radius");
+  EXPECT_EQ(nodes.at("layer4/00.h5").settings["layer"]["out_of_range"], "radius");
+  EXPECT_EQ(nodes.at("axes/layer4/00.h5").settings["layer"]["out_of_range"], "axes");
+  EXPECT_EQ(nodes.at("reject/layer4/00.h5").settings["layer"]["out_of_range"], "reject");
+  EXPECT_EQ(nodes.at("workspace/layer4/00.h5").settings["layer"]["pencil"]["framing"], "workspace");
 }
 
 // Layers evolve on over each other and the robot's points, as searches that are longer than those before; the
@@ -107,32 +102,36 @@ TEST(Profiles, LayersAreTunedOverEachOther) {
         {"all", {"layer4/03.h5", 800}}};
     for (const auto& [layer, of] : searches) {
       const auto& [before, generations] = of;
-      json settings = nodes.at(tuned + "_" + layer + "/03.h5").settings, base = nodes.at(before).settings;
+      const std::string output = tuned + "_" + layer + "/03.h5";
+      json settings = nodes.at(output).settings, base = nodes.at(before).settings;
       EXPECT_EQ(settings["more"], generations) << layer;
-      EXPECT_EQ(settings["robot"].size(), robot == "arm" ? 0u : 1u);
-      settings.erase("more");
-      settings.erase("robot");
+      settings["more"] = 0;
       base["search"]["generations"] = base["search"]["generations"].get<std::int64_t>() + generations;
       EXPECT_EQ(settings, base) << layer << ": otherwise as the arm's layer";
-      EXPECT_EQ(inputs(tuned + "_" + layer + "/03.h5")["points"], points);
+      EXPECT_EQ(inputs(output)["below1"], points);
+      EXPECT_EQ(inputs(output)["elites"], before);
+      EXPECT_EQ(inputs(output).contains("plane"), robot != "arm");
     }
-    EXPECT_EQ(inputs(tuned + "_lines/03.h5")["layer2"], "layer2_n10/03.h5");
-    EXPECT_EQ(inputs(tuned + "_arcs/03.h5")["lines"], lines);
-    EXPECT_EQ(inputs(tuned + "_top/03.h5")["lines"], "layer2_n10/03.h5");
-    EXPECT_EQ(inputs(tuned + "_top/03.h5")["arcs"], "layer3_b/03.h5");
-    EXPECT_EQ(inputs(tuned + "_all/03.h5")["lines"], lines);
-    EXPECT_EQ(inputs(tuned + "_all/03.h5")["arcs"], arcs);
+    EXPECT_FALSE(inputs(tuned + "_lines/03.h5").contains("below2"));
+    EXPECT_EQ(inputs(tuned + "_arcs/03.h5")["below2"], lines);
+    EXPECT_EQ(inputs(tuned + "_top/03.h5")["below2"], "layer2_n10/03.h5");
+    EXPECT_EQ(inputs(tuned + "_top/03.h5")["below3"], "layer3_b/03.h5");
+    EXPECT_EQ(inputs(tuned + "_all/03.h5")["below2"], lines);
+    EXPECT_EQ(inputs(tuned + "_all/03.h5")["below3"], arcs);
     auto shown = inputs(tuned + "/03.h5");
-    EXPECT_EQ(shown["layer1"], "layer1/03.h5");
-    EXPECT_EQ(shown["points"], points);
-    EXPECT_EQ(shown["lines"], lines);
-    EXPECT_EQ(shown["arcs"], arcs);
+    EXPECT_EQ(shown["arm1"], "layer1/03.h5");
+    EXPECT_EQ(shown["arm4"], "layer4/03.h5");
+    EXPECT_EQ(shown["before1"], points);
+    EXPECT_EQ(shown["before2"], "layer2_n10/03.h5");
+    EXPECT_EQ(shown["after1"], points);
+    EXPECT_EQ(shown["after2"], lines);
+    EXPECT_EQ(shown["after3"], arcs);
     EXPECT_EQ(shown["top"], tuned + "_top/03.h5");
     EXPECT_EQ(shown["all"], tuned + "_all/03.h5");
   }
 }
 
-// "layer2.variants", "layer4.pencil.framing": what selects a reading is a key of the profile.
+// "accuracy.layers", "defaults.pencil.framing": what selects a reading is a key of the profile.
 TEST(Profiles, EveryOptionOfTheLedgerIsAKey) {
   const json keys =
       settings_to_json(settings_from_source<Profile>(read_inheriting(kProfiles / "paper.toml")));
@@ -147,6 +146,54 @@ TEST(Profiles, EveryOptionOfTheLedgerIsAKey) {
     ++options;
   }
   EXPECT_GT(options, 10);
+}
+
+// What is wrong with a layer's table is told at its place.
+TEST(Layers, AreReadStrictly) {
+  const TemporaryFolder folder;
+  const auto complaint = [&](const std::string& lines) {
+    const fs::path file = folder.path() / "p.toml";
+    std::ofstream(file) << "base = \"" << (kProfiles / "lines.toml").string() << "\"\nname = \"p\"\n"
+                        << lines;
+    try {
+      experiment_graph(file);
+    } catch (const InputError& error) {
+      const std::string text = error.what(), place = folder.path().string() + "/";
+      return text.starts_with(place) ? text.substr(place.size()) : text;
+    }
+    return std::string("no complaint");
+  };
+  EXPECT_EQ(complaint(""), "no complaint");
+  EXPECT_THAT(complaint("layers.mine.kind = \"line\""),
+              HasSubstr("p.toml:3:13: kind 'line' of layer: expected one of points, lines,"));
+  EXPECT_THAT(complaint("layers.mine.below = \"layer1\""), HasSubstr("kind '' of layer: expected one of"));
+  EXPECT_THAT(complaint("layers.mine = { kind = \"lines\", samples = 3 }"),
+              HasSubstr("p.toml:3:8: layer 'mine' says no layer below, which lines are built on"));
+  EXPECT_THAT(complaint("layers.mine = { kind = \"lines\", below = \"layer11\", samples = 3 }"),
+              HasSubstr("layer 'mine' is built on 'layer11', which is not there (did you mean 'layer1'?)"));
+  EXPECT_THAT(
+      complaint("layers.layer1.below = \"layer1_substitute\""),
+      HasSubstr("layer 'layer1' is built on 'layer1_substitute', but points move the joints themselves"));
+  EXPECT_THAT(
+      complaint("layers.layer3_b.below = \"layer1\""),
+      HasSubstr("layer 'layer3_b' is of arcs, which command displacements; 'layer1' answers to places"));
+  EXPECT_THAT(
+      complaint("layers.layer2_n1.sample = 4"),
+      HasSubstr("p.toml:3:18: lines have no key 'sample' (did you mean 'samples'?); they have batch,"));
+  EXPECT_THAT(complaint("layers.layer2_n1.samples = 0"),
+              HasSubstr("p.toml:3:28: samples: expected a whole number from 1 to 100000"));
+  EXPECT_THAT(complaint("defaults.arcs.cost = 1"), HasSubstr("p.toml:3:15: arcs have no key 'cost'"));
+  EXPECT_THAT(complaint("layers.mine = { kind = \"arcs\", below = \"layer2_n10\", samples = 3 }"),
+              HasSubstr("missing key 'controller'"));
+  EXPECT_THAT(complaint("layers.a = { kind = \"lines\", below = \"a\", samples = 3 }"),
+              HasSubstr("layer 'a' is of lines, which command places; 'a' answers to displacements"));
+  EXPECT_THAT(complaint("leave_out = [\"layer2_n10\"]"),
+              HasSubstr("layer 'layer2_n10' is left out, but 'layer3_b' is built on it"));
+  EXPECT_THAT(complaint("leave_out = [\"layer9\"]"), HasSubstr("there is no layer 'layer9'"));
+  EXPECT_THAT(complaint("accuracy.layers = [\"layer2_n1\", \"layer3_b\"]"),
+              HasSubstr("'layer2_n1' is built on 'layer1', 'layer3_b' on 'layer2_n10'"));
+  EXPECT_THAT(complaint("substitution.layer = \"layer2_n1\""),
+              HasSubstr("substitution.layer = 'layer2_n1': this layer is of kind lines; expected arcs"));
 }
 
 class Variations : public testing::Test {
@@ -178,12 +225,18 @@ class Variations : public testing::Test {
 
 // What a variation runs is what the profile with its keys changed would run.
 TEST_F(Variations, AreTheChangedProfileWithoutWhatItShares) {
-  const auto varied = by_output(graph(variation("short", "set.longest_line = 0.1535")));
-  const auto plain = by_output(graph("")), changed = by_output(graph("longest_line = 0.1535\n"));
+  const auto varied = by_output(graph(variation("short", "set.defaults.longest_line = 0.1535")));
+  const auto plain = by_output(graph("")), changed = by_output(graph("defaults.longest_line = 0.1535\n"));
+  // What is told the same and made of what is the same.
+  const std::function<bool(const std::string&)> same = [&](const std::string& output) {
+    const Node &a = changed.at(output), &b = plain.at(output);
+    return a.settings == b.settings && a.inputs == b.inputs &&
+           std::ranges::all_of(a.inputs, [&](const auto& input) { return same(input.second); });
+  };
   for (const auto& [output, node] : changed) {
     if (node.stage == "statistics" || node.stage == "report") continue;
-    const bool shared = node.settings == plain.at(output).settings && node.inputs == plain.at(output).inputs;
-    EXPECT_EQ(shared, node.program == "layer1" || node.program == "searches") << output;
+    const bool shared = same(output);
+    EXPECT_EQ(shared, node.stage.starts_with("layer1") || node.program == "searches") << output;
     ASSERT_EQ(varied.contains("short/" + output), !shared) << output;
     const Node& run = varied.at(shared ? output : "short/" + output);
     EXPECT_EQ(run.settings, node.settings) << output;
@@ -202,8 +255,8 @@ TEST_F(Variations, AreTheChangedProfileWithoutWhatItShares) {
 }
 
 TEST_F(Variations, AllStandInTheReport) {
-  const auto nodes = by_output(graph(variation("short", "set.longest_line = 0.1535") +
-                                     variation("all_genes", "[variations.set.search]\nmutation_rate = 1")));
+  const auto nodes = by_output(graph(variation("short", "set.defaults.longest_line = 0.1535") +
+                                     variation("all_genes", "[variations.set.defaults]\nmutation_rate = 1")));
   const Node& page = nodes.at("page");
   const std::map<std::string, std::string> inputs(page.inputs.begin(), page.inputs.end());
   EXPECT_TRUE(inputs.contains("short/statistics.json"));
@@ -214,17 +267,19 @@ TEST_F(Variations, AllStandInTheReport) {
 }
 
 TEST_F(Variations, AreReadAsStrictlyAsTheProfile) {
-  EXPECT_EQ(complaint(variation("v", "set.longest_lin = 0.3")),
-            "mine.toml:7:5: unknown key 'longest_lin' (did you mean 'longest_line'?)");
-  EXPECT_THAT(complaint(variation("v", "set.longest_line = -1")),
-              HasSubstr("mine.toml:7:20: longest_line: expected a number from 0.001 to 100"));
-  EXPECT_THAT(complaint(variation("v", "set.layer3.lines = \"n11\"")),
-              HasSubstr("mine.toml: variation 'v': layer3.lines = 'n11': expected the name of one of"));
+  EXPECT_EQ(complaint(variation("v", "set.defaults.longest_lin = 0.3")),
+            "mine.toml:7:14: defaults.longest_lin is neither a key nor a kind of layers (did you mean "
+            "'longest_line'?)");
+  EXPECT_THAT(complaint(variation("v", "set.defaults.longest_line = -1")),
+              HasSubstr("mine.toml:7:29: longest_line: expected a number from 0.001 to 100"));
+  EXPECT_THAT(
+      complaint(variation("v", "set.substitution.layer = \"n11\"")),
+      HasSubstr("mine.toml: variation 'v': substitution.layer = 'n11': expected the name of a layer ("));
   EXPECT_THAT(complaint(variation("v", "set.name = \"w\"")),
               HasSubstr("mine.toml:7:5: variation 'v' can't change 'name'"));
   EXPECT_THAT(complaint(variation("v", "set = 3")), HasSubstr("variations.0.set: expected a table"));
   EXPECT_THAT(complaint(variation("v", "")), HasSubstr("missing key 'variations.0.set'"));
-  EXPECT_THAT(complaint(variation("v", "set.longest_line = 0.256")), HasSubstr("changes nothing"));
+  EXPECT_THAT(complaint(variation("v", "set.defaults.longest_line = 0.256")), HasSubstr("changes nothing"));
   EXPECT_THAT(complaint(variation("v", "set.judge.bumps = 10")), HasSubstr("changes nothing"));
   EXPECT_THAT(complaint(variation("a b", "set.seed = 1")), HasSubstr("expected letters, digits and _"));
   for (const char* taken : {"layer1", "layer3", "page", "statistics", "all"})

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "pipeline/artifact/freshness.h"
-#include "stages/experiment.h"
+#include "stages/plan/experiment.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {

@@ -5,11 +5,10 @@
 #include <numbers>
 
 #include "models/arm/planar_arm.h"
-#include "pipeline/hierarchy/arc_layer.h"
 #include "pipeline/qd/distance_archive.h"
 #include "pipeline/qd/search.h"
-#include "tests/support/frame.h"
 #include "tests/support/naive_search.h"
+#include "tests/support/stacks.h"
 
 namespace hbr {
 
@@ -53,11 +52,12 @@ Elites evolved(const Evaluator& evaluator, int genes, const DistanceArchiveSetti
 // Layers 1 and 2, finished.
 struct EvolvedLayers {
   PlanarArm arm{kLinks, kJointLimit};
-  PointEvaluator point_evaluator{arm, kFrame, joint_variance, 0};
+  PointEvaluator point_evaluator{arm, kFrame, joint_costs()[0]};
   Elites point_elites = evolved<FastParts>(point_evaluator, 8, kPointArchive, 5000, Seed(1));
-  PointLayer points{point_elites, arm, kFrame};
-  Elites line_elites = evolved<FastParts>(LineEvaluator(points, kFrame, 10), 2, kLineArchive, 1000, Seed(2));
-  LineLayer lines{line_elites, kFrame};
+  Stack points = stack_of(arm, point_elites);
+  Elites line_elites = evolved<FastParts>(make_lines(lines_settings(10), {arm, &points})->evaluator(), 2,
+                                          kLineArchive, 1000, Seed(2));
+  Stack lines = stack_of(arm, point_elites, line_elites);
 };
 
 inline const EvolvedLayers& evolved_layers() {

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <vector>
 
-#include "pipeline/hierarchy/arc_layer.h"
+#include "pipeline/hierarchy/layers/arcs.h"
+#include "pipeline/hierarchy/layers/lines.h"
+#include "pipeline/hierarchy/point_layer.h"
 
 namespace hbr {
 

@@ -21,16 +21,16 @@ class NaiveArchive final : public Repertoire {
   Added add(const Candidate& c) override {
     const std::vector<Near> near = neighbours(c.descriptor, kNoSlot);
     const float l = settings_.spacing, eps = settings_.epsilon;
-    if (near.empty() || near[0].first > l * l) return {Outcome::kNovel, store_.append(c)};
+    if (near.empty() || near[0].first > l * l) return {Admission::kNovel, store_.append(c)};
     const float inner = (1 - eps) * l;
-    if (size() == 1 || near[1].first < inner * inner) return {Outcome::kRejected, kNoSlot};
+    if (size() == 1 || near[1].first < inner * inner) return {Admission::kRejected, kNoSlot};
     const Slot other = near[0].second;
     const float q = c.fitness, q0 = store_.fitness(other);
     const float n = novelty(near), n0 = novelty(neighbours(store_.descriptor(other), other));
     if (q < q0 - eps * std::abs(q0) || n < (1 - eps) * n0 || !((q - q0) * n0 > -(n - n0) * std::abs(q0)))
-      return {Outcome::kRejected, kNoSlot};
+      return {Admission::kRejected, kNoSlot};
     store_.replace(other, c);
-    return {Outcome::kReplaced, other};
+    return {Admission::kReplaced, other};
   }
   void restore(const Elites& elites) override {
     for (Eigen::Index i = 0; i < elites.size(); ++i) store_.append(candidate_of(elites, i));
@@ -78,7 +78,7 @@ class NaiveRoulette final : public Selector {
     return slot;
   }
   void learn(Slot parent, const Added& child) override {
-    const bool rejected = child.outcome == Outcome::kRejected;
+    const bool rejected = child.admission == Admission::kRejected;
     if (parent != kNoSlot && parent != child.slot) halves_[parent] += rejected ? -1 : 2;
     if (rejected) return;
     if (static_cast<std::size_t>(child.slot) == halves_.size()) halves_.push_back(0);

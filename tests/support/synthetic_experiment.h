@@ -51,7 +51,7 @@ class SyntheticExperiment {
       }
       Hdf5Writer file(place(stage, r));
       write_elites(file, elites, progress);
-      file.attribute("settings", fmt::format("{{\"samples\":{}}}", samples));
+      file.attribute("settings", fmt::format("{{\"layer\":{{\"samples\":{}}}}}", samples));
       file.close();
     }
   }

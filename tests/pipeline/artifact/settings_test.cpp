@@ -1,4 +1,4 @@
-#include "pipeline/artifact/settings.h"
+#include "pipeline/core/settings.h"
 
 #include <gmock/gmock.h>
 

@@ -6,8 +6,7 @@
 #include <numbers>
 
 #include "models/arm/planar_arm.h"
-#include "pipeline/hierarchy/point_layer.h"
-#include "tests/support/frame.h"
+#include "tests/support/stacks.h"
 
 namespace hbr {
 
@@ -36,7 +35,7 @@ class Layers : public testing::Test {
   Layers() {
     Batch batch(400, 8, 2);
     batch.genome = Rows::NullaryExpr(400, 8, [&] { return rng.uniform(); });
-    PointEvaluator(arm, kFrame, joint_variance, 0).evaluate(batch, 0, 400, Seed(0));
+    PointEvaluator(arm, kFrame, joint_costs()[0]).evaluate(batch, 0, 400, Seed(0));
     point_elites.solution = batch.genome;
     point_elites.measures = batch.descriptor;
     line_elites = some_elites(200, 2, 2, rng);
@@ -58,6 +57,10 @@ class Layers : public testing::Test {
     if (d.norm() > kFrame.longest_line) d *= kFrame.longest_line / d.norm();
     return d;
   }
+
+  Stack points() const { return stack_of(arm, point_elites); }
+  Stack lines() const { return stack_of(arm, point_elites, line_elites); }
+  Stack arcs() const { return stack_of(arm, point_elites, line_elites, arc_elites); }
 
   Rng rng{Seed(24)};
   PlanarArm arm{{.0875, .078, .072, .072, .071, .068, .068, .065}, std::numbers::pi / 2};

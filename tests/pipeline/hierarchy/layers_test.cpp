@@ -3,15 +3,16 @@
 #include <cmath>
 #include <numeric>
 
-#include "pipeline/hierarchy/arc_layer.h"
 #include "pipeline/hierarchy/geometric_median.h"
+#include "pipeline/hierarchy/layers/flat_arcs.h"
 #include "tests/pipeline/hierarchy/layers.h"
 
 namespace hbr {
 namespace {
 
 TEST_F(Layers, PointsAreWhereTheArmIs) {
-  const PointLayer points(point_elites, arm, kFrame);
+  const Stack stack = stack_of(arm, point_elites);
+  const PointLayer& points = stack.points();
   for (int i = 0; i < points.size(); ++i) {
     Pen p;
     arm.pens(1, points.joints(i), &p);
@@ -25,34 +26,70 @@ TEST_F(Layers, PointsAreWhereTheArmIs) {
   }
 }
 
+void displace(Executions& executions, Group group, const Eigen::Vector2d& by) {
+  const Eigen::Vector2f step = kFrame.point_step(by);
+  const std::vector<std::int32_t> which(group.size(), 0);
+  executions.displace(group, {&by, &step.x(), &step.y(), 1}, which.data());
+}
+
 TEST_F(Layers, LinesEndAtTheEliteNearestToWhatTheyAskFor) {
-  const PointLayer points(point_elites, arm, kFrame);
-  std::vector<std::int32_t> path;
+  const Stack stack = points();
+  Executions ends, ways;
   for (int i = 0; i < 500; ++i) {
-    const int start = static_cast<int>(rng.below(400));
+    const auto start = static_cast<std::int32_t>(rng.below(400));
     const float genes[2] = {rng.uniform(), rng.uniform()};
     const Eigen::Vector2d d = decode_line(kFrame, genes);
     EXPECT_LE(d.norm(), kFrame.longest_line * (1 + 1e-12));
-    ASSERT_EQ(line_end(points, start, d), plain_line_end(start, d));
-    path.assign(1, start);
-    line_path(points, start, d, 0.0128, path);
-    EXPECT_EQ(path.back(), line_end(points, start, d));
+    ends.begin(stack.points(), 1);
+    ways.begin(stack.points(), 1, {true, 0.0128});
+    for (Executions* executions : {&ends, &ways}) {
+      executions->move(executions->all(), &start);
+      displace(*executions, executions->all(), d);
+      ASSERT_EQ(executions->stops(), 2);
+      ASSERT_EQ(executions->stop(1)[0], plain_line_end(start, d));
+    }
     std::vector<std::int32_t> expected{start};
     int parts = 1;
     while (d.norm() / parts > 0.0128) ++parts;
     for (int k = 1; k <= parts; ++k) expected.push_back(plain_line_end(start, d * k / parts));
     expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-    EXPECT_EQ(path, expected);
+    EXPECT_EQ(ways.way(0), expected);
   }
 }
 
+// Some executions go on while others stay.
+TEST_F(Layers, ExecutionsMoveInGroups) {
+  const Stack stack = points();
+  Executions executions;
+  executions.begin(stack.points(), 3, {true, 0});
+  const std::int32_t begin[3] = {5, 6, 7}, some[2] = {0, 2}, to[2] = {9, 8};
+  executions.move(executions.all(), begin);
+  executions.move(some, to);
+  const Eigen::Vector2d right(0.1, 0);
+  displace(executions, Group(some, 1), right);
+  EXPECT_EQ(executions.stops(), 3);
+  EXPECT_EQ(std::vector<std::int32_t>(executions.stop(1), executions.stop(1) + 3),
+            (std::vector<std::int32_t>{9, -1, 8}));
+  const int end = plain_line_end(9, right);
+  EXPECT_EQ(executions.at(0), end);
+  EXPECT_EQ(executions.at(1), 6);
+  EXPECT_EQ(executions.way(0), (std::vector<std::int32_t>{5, 9, end}));
+  EXPECT_EQ(executions.way(1), (std::vector<std::int32_t>{6}));
+  EXPECT_EQ(executions.stop(2)[2], -1);
+  executions.set_origin(1, {0.1, 0.2});
+  executions.put_down(1, pen(40) - Eigen::Vector2d(0.1, 0.2), 0.5f);
+  EXPECT_EQ(executions.way(1), (std::vector<std::int32_t>{6, 40}));
+  ASSERT_EQ(executions.pen_down(1).size(), 1u);
+  EXPECT_EQ(executions.pen_down(1)[0].first, 1);
+}
+
 TEST_F(Layers, ALineIsDescribedByTheMedianOfItsExecutions) {
-  const PointLayer points(point_elites, arm, kFrame);
-  const LineEvaluator evaluator(points, kFrame, 25);
+  const Stack stack = points();
+  const auto lines = make_lines(lines_settings(25), {arm, &stack});
   Batch batch(30, 2, 2);
   batch.genome = Rows::NullaryExpr(30, 2, [&] { return rng.uniform(); });
   const Seed seed(25);
-  evaluator.evaluate(batch, 0, 30, seed);
+  lines->evaluator().evaluate(batch, 0, 30, seed);
   for (int i = 0; i < 30; ++i) {
     Rng starts(seed.child(i));
     Samples<2> samples;
@@ -72,10 +109,12 @@ TEST_F(Layers, ALineIsDescribedByTheMedianOfItsExecutions) {
 }
 
 TEST_F(Layers, AReferenceLineIsDescribedByItsStartAndItsDisplacement) {
-  const PointLayer points(point_elites, arm, kFrame);
+  const Stack stack = points();
   Batch batch(30, 2, 4);
   batch.genome = Rows::NullaryExpr(30, 2, [&] { return rng.uniform(); });
-  LineFromStartEvaluator(points, kFrame).evaluate(batch, 0, 30, Seed(26));
+  make_lines_from_start({kFrame.longest_line, "disc"}, {arm, &stack})
+      ->evaluator()
+      .evaluate(batch, 0, 30, Seed(26));
   for (int i = 0; i < 30; ++i) {
     const Eigen::Vector4d d = batch.descriptor.row(i).transpose().cast<double>();
     const int start = plain_nearest(point_elites.measures, d.head<2>());
@@ -99,18 +138,36 @@ double plain_joint_term(const PointLayer& points, const std::vector<int>& waypoi
 }
 
 TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
-  const PointLayer points(point_elites, arm, kFrame);
-  const LineLayer lines(line_elites, kFrame);
+  const Stack stack = lines();
+  const PointLayer& points = stack.points();
   constexpr int kGenomes = 200, kSamples = 7;  // more than one block
-  for (const char* name : {"lines", "turn"})
-    for (const ArcReading reading : {ArcReading{}, ArcReading{ArcCentre::kCentroid, JointTerm::kPooled}}) {
-      const ArcController controller = arc_controller(name);
-      const ArcEvaluator evaluator(points, lines, kFrame, controller, kSamples, reading);
+  struct Found {
+    Eigen::Vector3f descriptor;
+    float uncertainty;
+    double fitness;
+    std::vector<int> waypoints;
+  };
+  for (const ArcController& controller : arc_controllers())
+    for (const ArcReadingSettings& reading :
+         {ArcReadingSettings{"circle", "mean"}, ArcReadingSettings{"centroid", "pooled"}}) {
+      const auto arcs = make_arcs(arcs_settings(controller.name, kSamples, reading), {arm, &stack});
+      const ArcOutcome outcome(kFrame, arc_reading(reading));
+      const SampledEvaluator evaluator(*arcs->executor(), outcome);
       Batch batch(kGenomes, controller.genes, 3);
       batch.genome = Rows::NullaryExpr(kGenomes, controller.genes, [&] { return rng.uniform(); });
-      std::vector<ArcOutcome> outcomes(kGenomes);
+      std::vector<Found> outcomes;
       std::vector<float> means(kGenomes);
-      evaluator.execute(batch.genome, 0, kGenomes, Seed(27), outcomes.data());
+      evaluator.visit(batch.genome, 0, kGenomes, Seed(27),
+                      [&](const Executions& executions, const SampledEvaluator::Typical& typical) {
+                        EXPECT_EQ(typical.row, static_cast<Eigen::Index>(outcomes.size()));
+                        Found found{Eigen::Vector3f::Map(typical.descriptor),
+                                    typical.uncertainty,
+                                    outcome.fitness(executions, typical.execution),
+                                    {}};
+                        for (int k = 0; k < executions.stops(); ++k)
+                          found.waypoints.push_back(executions.stop(k)[typical.execution]);
+                        outcomes.push_back(found);
+                      });
       evaluator.mean_fitness(batch.genome, 0, kGenomes, Seed(27), means.data());
       for (int i = 0; i < kGenomes; ++i) {
         const float* genome = batch.genome.row(i).data();
@@ -128,40 +185,44 @@ TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
             drawn[k + 1] = pen(at);
             visited.back().push_back(at);
           }
-          const Eigen::Vector3d d = arc_descriptor(kFrame, arc_shape(drawn, reading.centre));
+          const Eigen::Vector3d d = arc_descriptor(kFrame, arc_shape(drawn, arc_reading(reading).centre));
           for (int c = 0; c < 3; ++c) descriptors.coordinate(c)[s] = static_cast<float>(d[c]);
           const std::vector<int> after(visited.back().begin() + 1, visited.back().end());
-          fitness.push_back(-(irregularity(drawn) + plain_joint_term(points, after, reading.joint_term)));
+          fitness.push_back(
+              -(irregularity(drawn) + plain_joint_term(points, after, arc_reading(reading).joint_term)));
         }
         const Median<3> median = geometric_median<3>(descriptors);
         EXPECT_LT((outcomes[i].descriptor - median.point).norm(), 1e-5);
         EXPECT_NEAR(outcomes[i].uncertainty, median.mean_distance, 1e-5);
-        EXPECT_NEAR(outcomes[i].fitness(), fitness[median.nearest], 1e-9);
+        EXPECT_NEAR(outcomes[i].fitness, fitness[median.nearest], 1e-9);
         EXPECT_NEAR(means[i], std::accumulate(fitness.begin(), fitness.end(), 0.0) / kSamples, 1e-4);
-        const std::vector<int>& expected = visited[median.nearest];
-        EXPECT_TRUE(std::equal(expected.begin(), expected.end(), outcomes[i].waypoints.begin()));
+        EXPECT_EQ(outcomes[i].waypoints, visited[median.nearest]);
       }
 
-      evaluator.evaluate(batch, 60, 62, Seed(27));  // a row does not depend on its neighbours
+      arcs->evaluator().evaluate(batch, 60, 62, Seed(27));  // a row does not depend on its neighbours
       for (int i = 60; i < 62; ++i) {
         EXPECT_EQ(batch.descriptor.row(i).transpose(), outcomes[i].descriptor);
         EXPECT_EQ(batch.uncertainty[i], outcomes[i].uncertainty);
-        EXPECT_EQ(batch.fitness[i], static_cast<float>(outcomes[i].fitness()));
+        EXPECT_EQ(batch.fitness[i], static_cast<float>(outcomes[i].fitness));
       }
     }
 }
 
 TEST_F(Layers, ACostOfTheJointsIsItsMeanOverTheWaypoints) {
-  const PointLayer points(point_elites, arm, kFrame);
-  const ArcWaypoints waypoints{7, 1, 2, 3, 4, 5};
+  const Stack stack = points();
+  Executions executions;
+  executions.begin(stack.points(), 1);
   double cost = 0;
-  for (int k = 1; k <= 5; ++k) cost += few_joints(points.joints(k), 8) / 5;
-  EXPECT_NEAR(mean_joint_cost(points, waypoints, few_joints), cost, 1e-12);
+  for (const std::int32_t at : {7, 1, 2, 3, 4, 5}) {
+    executions.move(executions.all(), &at);
+    if (at != 7) cost += few_joints(stack.points().joints(at), 8) / 5;
+  }
+  EXPECT_NEAR(ArcOutcome::mean_joint_cost(executions, 0, joint_costs()[1]), cost, 1e-12);
 }
 
 TEST_F(Layers, TheTurnControllerAsksForARegularArc) {
   const float genes[3] = {0.3f, 0.6f, 0.55f};
-  const ArcLines lines = arc_controller("turn").decode(kFrame, genes);
+  const ArcLines lines = arc_controllers()[1].decode(kFrame, genes);
   ArcPoints ideal{Eigen::Vector2d::Zero()};
   for (int i = 0; i < 5; ++i) {
     EXPECT_NEAR(lines[i].norm(), 0.6f * kFrame.longest_line, 1e-9);

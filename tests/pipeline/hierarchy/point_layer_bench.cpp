@@ -10,7 +10,7 @@ namespace {
 
 // Ends of random lines from random elites, as descriptors [n x 2].
 Rows line_ends(int n) {
-  const PointLayer& points = evolved_layers().points;
+  const PointLayer& points = evolved_layers().points.points();
   Rng rng(Seed(3));
   Rows ends(n, 2);
   for (int i = 0; i < n; ++i) {
@@ -111,7 +111,7 @@ BENCHMARK(insertion<NaiveParts>)->Name("insertion_naive")->Arg(500)->Unit(benchm
 template <class Parts, class Arm>
 void layer1(benchmark::State& state) {
   const Arm arm(kLinks, kJointLimit);
-  const PointEvaluator evaluator(arm, kFrame, joint_variance, 0);
+  const PointEvaluator evaluator(arm, kFrame, joint_costs()[0]);
   Elites elites;
   for (auto _ : state) elites = evolved<Parts>(evaluator, 8, kPointArchive, state.range(0), Seed(6));
   state.SetItemsProcessed(state.iterations() * state.range(0) * kBatch);

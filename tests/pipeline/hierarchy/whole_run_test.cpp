@@ -10,7 +10,7 @@ namespace {
 template <class Parts>
 Elites short_points(std::int64_t generations) {
   const PlanarArm arm(kLinks, kJointLimit);
-  return evolved<Parts>(PointEvaluator(arm, kFrame, joint_variance, 0), 8, kPointArchive, generations,
+  return evolved<Parts>(PointEvaluator(arm, kFrame, joint_costs()[0]), 8, kPointArchive, generations,
                         Seed(30));
 }
 
@@ -44,15 +44,16 @@ void agree(const Fast& fast, const Naive& naive, int genes, Eigen::Index n, int 
 TEST(WholeRun, LinesAndArcsAreTheSameOneByOne) {
   const PlanarArm arm(kLinks, kJointLimit);
   const Elites point_elites = short_points<FastParts>(20);
-  const PointLayer points(point_elites, arm, kFrame);
-  const Elites line_elites =
-      evolved<FastParts>(LineEvaluator(points, kFrame, 3), 2, kLineArchive, 20, Seed(33));
-  const LineLayer lines(line_elites, kFrame);
+  const Stack points = stack_of(arm, point_elites);
+  const Elites line_elites = evolved<FastParts>(make_lines(lines_settings(3), {arm, &points})->evaluator(), 2,
+                                                kLineArchive, 20, Seed(33));
+  const Stack lines = stack_of(arm, point_elites, line_elites);
   const NaiveHierarchy hierarchy(point_elites, line_elites, arm, kFrame);
-  const ArcController controller = arc_controller("lines");
+  const ArcController& controller = named(arc_controllers(), "lines", "controller");
   for (const int samples : {1, 10, 33}) {
-    agree(LineEvaluator(points, kFrame, samples), NaiveLineEvaluator(hierarchy, samples), 2, 100, samples);
-    agree(ArcEvaluator(points, lines, kFrame, controller, samples),
+    agree(make_lines(lines_settings(samples), {arm, &points})->evaluator(),
+          NaiveLineEvaluator(hierarchy, samples), 2, 100, samples);
+    agree(make_arcs(arcs_settings("lines", samples), {arm, &lines})->evaluator(),
           NaiveArcEvaluator(hierarchy, controller, samples), controller.genes, 100, samples);
   }
 }

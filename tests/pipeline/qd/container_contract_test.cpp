@@ -26,10 +26,10 @@ TEST_P(ContainerContract, SaysWhatBecameOfACandidate) {
   for (int id = 0; id < 4000; ++id) {
     const Solution s = random_solution(rng, id, d, -1);
     const Added added = repertoire->add(s.candidate());
-    if (added.outcome == Outcome::kRejected) {
+    if (added.admission == Admission::kRejected) {
       ++rejected;
       EXPECT_EQ(added.slot, kNoSlot);
-    } else if (added.outcome == Outcome::kNovel) {
+    } else if (added.admission == Admission::kNovel) {
       ++novel;
       ASSERT_EQ(added.slot, static_cast<Slot>(held.size()));  // it only grows, at its end
       held.push_back(id);
@@ -39,7 +39,7 @@ TEST_P(ContainerContract, SaysWhatBecameOfACandidate) {
       held[added.slot] = id;
     }
     ASSERT_EQ(repertoire->size(), static_cast<Slot>(held.size()));
-    if (added.outcome == Outcome::kRejected) continue;
+    if (added.admission == Admission::kRejected) continue;
     EXPECT_EQ(store.id(added.slot), id);
     EXPECT_EQ(store.fitness(added.slot), s.fitness);
     ASSERT_EQ(store.length(added.slot), static_cast<int>(s.genome.size()));
@@ -89,7 +89,7 @@ TEST_P(ContainerContract, NeverTakesACopyAgain) {
   for (int id = 0; id < 500; ++id) {
     const Solution s = random_solution(rng, id, d, -1);
     repertoire->add(s.candidate());
-    EXPECT_EQ(repertoire->add(s.candidate()).outcome, Outcome::kRejected);
+    EXPECT_EQ(repertoire->add(s.candidate()).admission, Admission::kRejected);
   }
 }
 
@@ -102,7 +102,7 @@ TEST_P(ContainerContract, RestoredItGoesOnAsBefore) {
   resumed->restore(store.in_slot_order());
   for (int id = 1000; id < 2000; ++id) {
     const Added a = repertoire->add(solutions[id].candidate()), b = resumed->add(solutions[id].candidate());
-    ASSERT_EQ(a.outcome, b.outcome);
+    ASSERT_EQ(a.admission, b.admission);
     ASSERT_EQ(a.slot, b.slot);
   }
   const Elites a = store.in_id_order(), b = resumed->store().in_id_order();

@@ -13,19 +13,20 @@ namespace {
 class PlainArchive {
  public:
   PlainArchive(float l, float eps, Contest contest) : l_(l), eps_(eps), contest_(contest) {}
-  Outcome add(const Solution& s) {
+  Admission add(const Solution& s) {
     std::vector<std::pair<float, int>> near = sorted(s, -1);
-    if (near.empty() || near[0].first > l_) return held_.push_back(s), Outcome::kNovel;
-    if (held_.size() == 1 || near[1].first < (1 - eps_) * l_) return Outcome::kRejected;
+    if (near.empty() || near[0].first > l_) return held_.push_back(s), Admission::kNovel;
+    if (held_.size() == 1 || near[1].first < (1 - eps_) * l_) return Admission::kRejected;
     Solution& other = held_[near[0].second];
     const float q = s.fitness, q0 = other.fitness;
-    if (contest_ == Contest::kFitness) return q > q0 ? (other = s, Outcome::kReplaced) : Outcome::kRejected;
+    if (contest_ == Contest::kFitness)
+      return q > q0 ? (other = s, Admission::kReplaced) : Admission::kRejected;
     const float n = mean15(near), n0 = mean15(sorted(other, near[0].second));
     const float sign = q0 > 0 ? 1 : q0 < 0 ? -1 : 0;
     if (q >= (1 - sign * eps_) * q0 && n >= (1 - eps_) * n0 &&
         (q - q0) * std::abs(n0) > -(n - n0) * std::abs(q0))
-      return other = s, Outcome::kReplaced;
-    return Outcome::kRejected;
+      return other = s, Admission::kReplaced;
+    return Admission::kRejected;
   }
   const std::vector<Solution>& held() const { return held_; }
 
@@ -64,8 +65,8 @@ void decides_as_the_rule_says(Contest contest) {
       for (int id = 0; id < 2500; ++id) {
         const Solution s = random_solution(rng, id, d, sign);
         const Added added = archive->add(s.candidate());
-        ASSERT_EQ(added.outcome, plain.add(s)) << "d " << d << ", candidate " << id;
-        replaced += added.outcome == Outcome::kReplaced;
+        ASSERT_EQ(added.admission, plain.add(s)) << "d " << d << ", candidate " << id;
+        replaced += added.admission == Admission::kReplaced;
       }
       ASSERT_EQ(archive->size(), static_cast<Slot>(plain.held().size()));
       for (Slot i = 0; i < archive->size(); ++i) EXPECT_EQ(archive->store().id(i), plain.held()[i].id);
@@ -92,7 +93,7 @@ TEST(DistanceArchive, ATieGoesToTheLowerSlot) {
   add(0.25f, 0.703125f, -1);
   ASSERT_EQ(archive->size(), 4);
   const Added added = add(0.4375f, 0.5f, -0.1f);
-  EXPECT_EQ(added.outcome, Outcome::kReplaced);
+  EXPECT_EQ(added.admission, Admission::kReplaced);
   EXPECT_EQ(added.slot, 0);
 }
 

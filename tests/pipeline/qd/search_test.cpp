@@ -187,7 +187,8 @@ TEST(Search, CreditsTheParentOrAsPublishedThatOfASibling) {
       for (int i = 0; i < kBatch; ++i) {
         own += drawn[i] == credited[i];
         const Added& child = note.born[g * kBatch + i];
-        if (child.outcome == Outcome::kNovel) {  // bred from the parent that was drawn, whoever is credited
+        if (child.admission ==
+            Admission::kNovel) {  // bred from the parent that was drawn, whoever is credited
           EXPECT_EQ(elites.parent[child.slot], elites.id[drawn[i]]);
         }
       }

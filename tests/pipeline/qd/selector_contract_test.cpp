@@ -26,10 +26,10 @@ struct Life {
         s.fitness = std::round(8 * s.fitness) / 8;  // so that some are alike
         const Added added = repertoire->add(s.candidate());
         selector->learn(parent, added);
-        const bool kept = added.outcome != Outcome::kRejected;
+        const bool kept = added.admission != Admission::kRejected;
         if (parent != kNoSlot && parent != added.slot) curiosity[parent] += kept ? 1 : -0.5;
-        if (added.outcome == Outcome::kNovel) curiosity.push_back(0);
-        if (added.outcome == Outcome::kReplaced) curiosity[added.slot] = 0;
+        if (added.admission == Admission::kNovel) curiosity.push_back(0);
+        if (added.admission == Admission::kReplaced) curiosity[added.slot] = 0;
       }
       selector->refresh(repertoire->store());
     }
@@ -207,10 +207,10 @@ TEST(NslcSelector, FrontsAreThosePeeledOffOneByOne) {
     if (id % 3 == 2) {
       const auto slot = static_cast<Slot>(rng.below(store.size()));
       store.replace(slot, on_a_raster(id).candidate());
-      selector.learn(kNoSlot, {Outcome::kReplaced, slot});
+      selector.learn(kNoSlot, {Admission::kReplaced, slot});
       scores->update(store, {slot});
     } else {
-      selector.learn(kNoSlot, {Outcome::kNovel, store.append(on_a_raster(id).candidate())});
+      selector.learn(kNoSlot, {Admission::kNovel, store.append(on_a_raster(id).candidate())});
       scores->update(store, {});
     }
     selector.refresh(store);

@@ -17,14 +17,14 @@ struct PlainLife {
       const Slot parent =
           scores.empty() || rng.below(10) == 0 ? kNoSlot : static_cast<Slot>(rng.below(scores.size()));
       const int kind = rng.below(4);
-      Added added{Outcome::kRejected, kNoSlot};
-      if (kind == 0 || scores.empty()) added = {Outcome::kNovel, static_cast<Slot>(scores.size())};
+      Added added{Admission::kRejected, kNoSlot};
+      if (kind == 0 || scores.empty()) added = {Admission::kNovel, static_cast<Slot>(scores.size())};
       if (kind == 1 && !scores.empty())
-        added = {Outcome::kReplaced, static_cast<Slot>(rng.below(scores.size()))};
+        added = {Admission::kReplaced, static_cast<Slot>(rng.below(scores.size()))};
       selector.learn(parent, added);
-      if (parent != kNoSlot) scores[parent] += added.outcome == Outcome::kRejected ? -0.5 : 1;
-      if (added.outcome == Outcome::kNovel) scores.push_back(0);
-      if (added.outcome == Outcome::kReplaced) scores[added.slot] = 0;
+      if (parent != kNoSlot) scores[parent] += added.admission == Admission::kRejected ? -0.5 : 1;
+      if (added.admission == Admission::kNovel) scores.push_back(0);
+      if (added.admission == Admission::kReplaced) scores[added.slot] = 0;
     }
   }
 };

@@ -1,0 +1,35 @@
+// Executes genomes of a layer through the layer below.
+#pragma once
+
+#include "pipeline/core/random.h"
+#include "pipeline/hierarchy/executions.h"
+#include "pipeline/hierarchy/plans.h"
+
+namespace hbr {
+
+class Executor {
+ public:
+  // Every genome is executed `repeats` times, each from a start drawn uniformly among the elites of layer 1;
+  // or from where the genome puts the pen down, where it does. All have to outlive it.
+  Executor(const PointLayer& points, const Layer& below, const Decoder& decoder, int repeats, Way way);
+
+  int repeats() const { return repeats_; }
+  const PointLayer& points() const { return points_; }
+  const Decoder& decoder() const { return decoder_; }
+  // Executes rows [begin, end) of some genomes, lengths[row] genes long (nullptr: all), the executions of one
+  // genome one after the other. Row i draws its starts from seed.child(i). possible[i - begin] tells whether
+  // the genome asks for what can be; where it does not, nothing is executed. Thread-safe.
+  void execute(const Rows& genomes, const std::int32_t* lengths, Eigen::Index begin, Eigen::Index end,
+               Seed seed, Executions& executions, std::uint8_t* possible) const;
+
+ private:
+  void start(Eigen::Index begin, int genomes, Seed seed, Executions& executions) const;
+
+  const PointLayer& points_;
+  const Layer& below_;
+  const Decoder& decoder_;
+  int repeats_;
+  Way way_;
+};
+
+}  // namespace hbr

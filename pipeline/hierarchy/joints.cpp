@@ -1,0 +1,40 @@
+#include "pipeline/hierarchy/joints.h"
+
+#include <array>
+#include <utility>
+
+namespace hbr {
+
+void decode_joints(const Robot& robot, const float* genome, double* joints) {
+  const Eigen::VectorXd &lower = robot.lower(), &upper = robot.upper();
+  for (Eigen::Index j = 0; j < lower.size(); ++j) joints[j] = lower[j] + genome[j] * (upper[j] - lower[j]);
+}
+
+double joint_variance(const double* joints, Eigen::Index dof) {
+  double mean = 0, sum = 0;
+  for (Eigen::Index j = 0; j < dof; ++j) mean += joints[j];
+  mean /= static_cast<double>(dof);
+  for (Eigen::Index j = 0; j < dof; ++j) sum += (joints[j] - mean) * (joints[j] - mean);
+  return sum / static_cast<double>(dof);
+}
+
+double few_joints(const double* joints, Eigen::Index dof) {
+  double sum = 0, largest = 0, second = 0;
+  for (Eigen::Index j = 0; j < dof; ++j) {
+    double square = joints[j] * joints[j];
+    if (square > largest) std::swap(square, largest);
+    if (square > second) std::swap(square, second);
+    sum += square;
+  }
+  return sum;
+}
+
+std::span<const JointCost> joint_costs() {
+  static constexpr std::array kCosts = {
+      JointCost{"joint_variance", "that they differ", joint_variance},
+      JointCost{"few_joints", "that more than two of them move", few_joints},
+  };
+  return kCosts;
+}
+
+}  // namespace hbr

@@ -1,0 +1,26 @@
+// Joint angles: from genes, and what they cost.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pipeline/hierarchy/robot.h"
+
+namespace hbr {
+
+// Joints [dof] of a genome [dof] in [0, 1]: the range of the limits.
+void decode_joints(const Robot& robot, const float* genome, double* joints);
+
+// Population variance of the joints, rad^2 (paper, section 4.3, the fitness of layer 1, to be minimised).
+double joint_variance(const double* joints, Eigen::Index dof);
+// Sum of the squares of all joints but the two largest, rad^2 (paper, section 5.2, the substitute's fitness).
+double few_joints(const double* joints, Eigen::Index dof);
+
+struct JointCost {
+  const char* name;
+  const char* meaning;
+  double (*of)(const double* joints, Eigen::Index dof);
+};
+std::span<const JointCost> joint_costs();
+
+}  // namespace hbr

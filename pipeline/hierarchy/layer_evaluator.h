@@ -1,0 +1,68 @@
+// The evaluator of every layer that is built on another: its genomes are executed by the layer below, and
+// described by what comes of it. Where an outcome depends on where the pen was, the descriptor is stochastic:
+// the geometric median of some executions, and the fitness is that of the execution nearest to it (paper,
+// section 3.1).
+#pragma once
+
+#include <functional>
+
+#include "pipeline/hierarchy/executor.h"
+#include "pipeline/hierarchy/outcome.h"
+#include "pipeline/qd/evaluator.h"
+
+namespace hbr {
+
+// A single execution of a genome is its outcome.
+class SingleEvaluator final : public Evaluator {
+ public:
+  // Both have to outlive the evaluator; the executor repeats nothing.
+  SingleEvaluator(const Executor& executor, const Outcome& outcome);
+  int descriptor_size() const override { return outcome_.descriptor_size(); }
+  bool deterministic() const override { return executor_.decoder().places(); }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
+
+ private:
+  const Executor& executor_;
+  const Outcome& outcome_;
+};
+
+class SampledEvaluator final : public Evaluator {
+ public:
+  // Dimensions that a stochastic descriptor may have.
+  static constexpr int kMaxDimensions = 4;
+
+  // Both have to outlive the evaluator; the executor repeats as often as there are to be samples.
+  SampledEvaluator(const Executor& executor, const SampledOutcome& outcome);
+  int descriptor_size() const override { return outcome_.descriptor_size(); }
+  bool stochastic() const override { return true; }
+  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
+
+  // What is typical of a genome: the median of its executions, and the execution nearest to it.
+  struct Typical {
+    Eigen::Index row;
+    int execution;
+    const float* descriptor;  // [descriptor_size]
+    float uncertainty;        // mean distance of the executions to it
+  };
+  using Visitor = std::function<void(const Executions&, const Typical&)>;
+  // Executes rows [begin, end) of genomes of one length as evaluate() does, and tells of each.
+  void visit(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
+             const Visitor& visitor) const;
+  // Mean fitness of the executions of each of these genomes.
+  void mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed, float* out) const;
+
+ private:
+  // Genomes whose executions fit into the nearest cache together.
+  Eigen::Index block() const { return std::max(1, 512 / executor_.repeats()); }
+  template <class Visit>
+  void visit_all(const Rows& genomes, const std::int32_t* lengths, Eigen::Index begin, Eigen::Index end,
+                 Seed seed, Visit&& visit) const;
+  template <int D, class Visit>
+  void visit_block(const Rows& genomes, const std::int32_t* lengths, Eigen::Index begin, Eigen::Index end,
+                   Seed seed, Visit&& visit) const;
+
+  const Executor& executor_;
+  const SampledOutcome& outcome_;
+};
+
+}  // namespace hbr

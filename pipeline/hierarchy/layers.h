@@ -1,0 +1,12 @@
+// The kinds of layers by name. To add one: its file in layers/, and its row in layers.cpp.
+#pragma once
+
+#include "pipeline/hierarchy/layer_kind.h"
+
+namespace hbr {
+
+std::span<const LayerKind> layer_kinds();
+// Throws InputError for another name.
+const LayerKind& layer_kind(const std::string& name);
+
+}  // namespace hbr

@@ -1,0 +1,69 @@
+#include "stages/layers/evolve.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "pipeline/core/parallel.h"
+#include "pipeline/qd/search.h"
+#include "stages/layers/checkpoint.h"
+
+namespace hbr {
+namespace {
+
+constexpr std::chrono::seconds kCheckpointEvery{20};
+
+}  // namespace
+
+void evolve(StageRun& stage, const SearchTable& table, const Variation& variation, const Evaluator& evaluator,
+            Seed seed, DescriptorRange range, const std::function<void(Hdf5Writer&, const Elites&)>& more) {
+  const int size = evaluator.descriptor_size();
+  const auto [repertoire, centroids] =
+      container_kind(table.container).make(variation.genes(), size, container_settings(table, range), seed);
+  const auto selector = selector_kind(table.selector).make({size, table.neighbours, range.low, range.high});
+  Search search(*repertoire, *selector, variation, evaluator,
+                {table.generations, table.batch, table.record_every,
+                 table.curiosity_credit == "published" ? Credit::kPublished : Credit::kParent},
+                seed);
+  if (std::filesystem::exists(stage.checkpoint())) search.resume(read_checkpoint(stage.checkpoint()));
+
+  Workers workers(stage.threads());
+  auto saved = std::chrono::steady_clock::now();
+  while (!search.done()) {
+    search.step(workers);
+    stage.progress(search.generation(), table.generations, "generations");
+    if (const auto now = std::chrono::steady_clock::now(); now - saved > kCheckpointEvery) {
+      write_checkpoint(stage.checkpoint(), search.state());
+      saved = now;
+    }
+  }
+  if (repertoire->size() == 0)
+    throw InputError("{}: no solution had a behaviour in {} evaluations; nothing to store", stage.name(),
+                     table.generations * table.batch);
+
+  Elites elites = repertoire->store().in_id_order();
+  if (!evaluator.stochastic()) elites.uncertainty.resize(0);
+  if (variation.fixed_length()) elites.length.clear();
+  Hdf5Writer file(stage.output());
+  write_elites(file, elites, search.progress());
+  if (centroids.size() > 0)
+    file.write("centroids",
+               {static_cast<std::size_t>(centroids.rows()), static_cast<std::size_t>(centroids.cols())},
+               centroids.data());
+  stage.write_settings(file);
+  if (more) more(file, elites);
+  file.close();
+}
+
+ContainerSettings container_settings(const SearchTable& t, DescriptorRange range) {
+  return {t.spacing, t.epsilon, t.neighbours, t.grid_cells, t.cvt_cells, range.low, range.high};
+}
+
+std::unique_ptr<Variation> make_variation(const GenomeShape& genome, const SearchTable& table) {
+  const auto eta = static_cast<float>(table.mutation_eta), rate = static_cast<float>(table.mutation_rate);
+  if (genome.fixed()) return std::make_unique<PolynomialMutation>(genome.genes(), eta, rate);
+  return std::make_unique<BlockMutation>(genome.head, genome.block, genome.most_blocks, eta, rate,
+                                         static_cast<float>(genome.length_rate));
+}
+
+}  // namespace hbr

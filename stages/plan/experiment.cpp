@@ -1,0 +1,86 @@
+#include "stages/plan/experiment.h"
+
+#include <set>
+
+#include "pipeline/artifact/profile.h"
+#include "pipeline/artifact/variations.h"
+#include "pipeline/core/check.h"
+#include "stages/plan/plan.h"
+
+namespace hbr {
+namespace {
+
+// The profile with a variation's changes, to be read as strictly as the profile itself.
+SettingsSource varied(const SettingsSource& source, std::size_t index, const ProfileVariation& variation) {
+  const SettingsSource changes = part_of(source, fmt::format("/variations/{}/set", index));
+  for (const char* key : {"name", "variations"})
+    if (changes.values.contains(key)) {
+      const SettingsSource::Position at = changes.keys.at(std::string("/") + key);
+      throw InputError("{}:{}:{}: variation '{}' can't change '{}'; expected a key that a stage depends on",
+                       at.file, at.line, at.column, variation.name, key);
+    }
+  SettingsSource profile = laid_over(source, changes);
+  profile.values["name"] = profile.values["name"].get<std::string>() + "/" + variation.name;
+  profile.values["variations"] = nlohmann::json::array();
+  return profile;
+}
+
+// A variation's name is a make goal and a folder beside those of the stages.
+void check_variations(const std::string& file, const Profile& profile, const Graph& graph) {
+  std::set<std::string> taken{"all", "page", "report"};
+  for (const Node& node : graph) taken.insert({node.stage, node.stage.substr(0, node.stage.find('_'))});
+  for (const ProfileVariation& v : profile.variations) {
+    check_name(file, "variations", v.name);
+    if (!taken.insert(v.name).second)
+      throw InputError("{}: variations: name '{}' stands twice, or is a stage's", file, v.name);
+    if (v.changes.empty())
+      throw InputError("{}: variation '{}' has no `changes`; expected a sentence for the report", file,
+                       v.name);
+  }
+}
+
+// The page: everything of the experiment by its own name, and the statistics of every variation.
+Node report_of(const Profile& profile, const Graph& graph) {
+  const std::string claims = "reports/claims.toml", readings = "reports/readings.toml",
+                    speed = "reports/reference/bench.json";
+  nlohmann::json settings = {
+      {"claims", claims}, {"readings", readings}, {"speed", speed}, {"variations", nlohmann::json::array()}};
+  for (const ProfileVariation& v : profile.variations)
+    settings["variations"].push_back({{"name", v.name}, {"changes", v.changes}});
+  std::vector<std::pair<std::string, std::string>> inputs;
+  for (const Node& node : graph)
+    if (node.variation.empty() || node.stage == "statistics") inputs.emplace_back(node.output, node.output);
+  return {"report", "report", -1, "page", settings, inputs, {claims, readings, speed}};
+}
+
+Graph planned(const SettingsSource& source, const std::string& where) {
+  Plan plan(source, where);
+  plan_learned(plan);
+  plan_layers(plan);
+  plan_studies(plan);
+  plan_robots(plan);
+  plan_statistics(plan);
+  return std::move(plan.graph());
+}
+
+}  // namespace
+
+Graph experiment_graph(const std::filesystem::path& file) {
+  const SettingsSource source = read_inheriting(file);
+  const auto profile = settings_from_source<Profile>(source);
+  Graph graph = planned(source, file.string());
+  check_variations(file.string(), profile, graph);
+  for (std::size_t i = 0; i < profile.variations.size(); ++i) {
+    const ProfileVariation& v = profile.variations[i];
+    const std::string where = fmt::format("{}: variation '{}'", file.string(), v.name);
+    const std::size_t before = graph.size();
+    add_variation(graph, v.name, planned(varied(source, i, v), where));
+    if (graph.size() - before < 2)  // the statistics are always its own
+      throw InputError("{} changes nothing that this profile runs; expected keys that a stage depends on",
+                       where);
+  }
+  graph.push_back(report_of(profile, graph));
+  return graph;
+}
+
+}  // namespace hbr

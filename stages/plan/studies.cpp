@@ -1,0 +1,102 @@
+// What is done with finished layers.
+#include "stages/plan/plan.h"
+
+namespace hbr {
+namespace {
+
+// A layer's name in a study: what tells it from others of its level, "n10" of "layer2_n10".
+std::string label(const std::string& name) {
+  const std::size_t end = name.find('_');
+  return name.starts_with("layer") && end != std::string::npos ? name.substr(end + 1) : name;
+}
+
+// A study of layers that are built on the same one: inputs are the layers below and, by their labels, the
+// layers.
+void add_comparison(Plan& plan, const std::string& stage, const std::vector<std::string>& names,
+                    const char* key, const nlohmann::json& settings) {
+  if (names.empty()) return;
+  const LayerRow& first = plan.layer(names.front(), key);
+  for (const std::string& name : names)
+    if (plan.layer(name, key).below != first.below)
+      plan.fail(fmt::format("{}: '{}' is built on '{}', '{}' on '{}'; expected layers on the same one", key,
+                            first.name, first.below, name, plan.layer(name, key).below));
+  for (int r = 0; r < plan.replications(first); ++r) {
+    Inputs inputs = plan.inputs("below", plan.stack(first.below), r);
+    for (const std::string& name : names) inputs.emplace_back(label(name), numbered(name, r));
+    plan.add(stage, stage, r, with(plan.run(r), settings), inputs);
+  }
+}
+
+void plan_substitution(Plan& plan) {
+  const SubstitutionTable& s = plan.profile().substitution;
+  if (s.layer.empty()) return;
+  const LayerRow& arcs = plan.layer(s.layer, "substitution.layer", "arcs");
+  std::vector<const LayerRow*> original = plan.stack(arcs.name), substitute = original;
+  substitute.front() = &plan.layer(s.substitute, "substitution.substitute", "points");
+  for (int r = 0; r < plan.replications(arcs); ++r) {
+    Inputs inputs = plan.inputs("original", original, r);
+    for (const auto& input : plan.inputs("substitute", substitute, r)) inputs.push_back(input);
+    plan.add("substitution", "substitution", r, plan.run(r), inputs);
+  }
+}
+
+// Layer 1 by searches made of other parts, and what they come to on one grid.
+void plan_searches(Plan& plan) {
+  const SearchesTable& s = plan.profile().searches;
+  if (s.replications == 0 || s.variants.empty()) return;
+  LayerRow row = plan.layer(s.layer, "searches.layer", "points");
+  row.search.generations = s.search.generations;
+  Inputs inputs;
+  for (const SearchVariant& v : s.variants)
+    for (int r = 0; r < s.replications; ++r) {
+      const std::string stage = "layer1_search_" + v.name;
+      row.search.container = v.search.container;
+      row.search.selector = v.search.selector;
+      plan.add_layer(stage, row, r, plan.arm(), {});
+      inputs.emplace_back(fmt::format("{}/{:02}", v.name, r), numbered(stage, r));
+    }
+  // Values in [-a, a] have a variance of at most a^2.
+  const double limit = plan.profile().arm.joint_limit;
+  plan.add("searches", "searches", -1,
+           {{"passive_cells", s.passive_cells}, {"worst_fitness", -limit * limit}}, inputs);
+}
+
+void plan_digits(Plan& plan) {
+  const DigitsTable& s = plan.profile().digits;
+  if (plan.profile().replications.digits == 0 || s.hierarchy.empty()) return;
+  const LayerRow& digits = plan.layer(s.hierarchy, "digits.hierarchy", "digits");
+  plan.layer(s.flat, "digits.flat");
+  for (int r = 0; r < plan.replications(digits); ++r) {
+    plan.add("digits", "digits", r, nlohmann::json::object(),
+             {{"dataset", "dataset.h5"},
+              {"judge", "judge.h5"},
+              {"hbr", numbered(s.hierarchy, r)},
+              {"flat", numbered(s.flat, r)}});
+    Inputs drawn = plan.inputs("layer", plan.stack(s.hierarchy), r);
+    drawn.emplace_back("digits", numbered("digits", r));
+    plan.add("strokes", "strokes", r, nlohmann::json::object(), drawn);
+  }
+}
+
+void plan_numbers(Plan& plan) {
+  const std::string& name = plan.profile().numbers.layer;
+  if (plan.profile().replications.digits == 0 || name.empty()) return;
+  plan.layer(name, "numbers.layer", "numbers");
+  for (int r = 0; r < plan.profile().replications.digits; ++r)
+    plan.add_numbers("numbers", plan.inputs("layer", plan.stack(name), r), r);
+}
+
+}  // namespace
+
+void plan_studies(Plan& plan) {
+  const Profile& p = plan.profile();
+  add_comparison(plan, "accuracy", p.accuracy.layers, "accuracy.layers", {{"requests", p.accuracy.requests}});
+  add_comparison(plan, "arc_quality", p.arc_quality.layers, "arc_quality.layers",
+                 {{"fresh_starts", p.arc_quality.fresh_starts}});
+  plan_substitution(plan);
+  plan_searches(plan);
+  plan_digits(plan);
+  plan_numbers(plan);
+}
+
+}  // namespace hbr

@@ -1,0 +1,117 @@
+// Transfer (paper, section 5.2): every line, arc and digit executed by the arm and by another robot through
+// the same layers 2 to 4.
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/core/parallel.h"
+#include "pipeline/hierarchy/drawing_settings.h"
+#include "pipeline/hierarchy/layers/arcs.h"
+#include "pipeline/hierarchy/trace.h"
+#include "stages/layers/read_stack.h"
+#include "stages/layers/run_settings.h"
+#include "stages/robots/robot_tasks.h"
+#include "stages/studies/layer_errors.h"
+
+namespace {
+
+struct TransferSlice : hbr::RunTable {
+  hbr::TransferTable transfer;
+  hbr::PencilSettings pencil;
+};
+template <class Fields>
+void describe(Fields& f, TransferSlice& s) {
+  describe_run(f, s);
+  f.table("transfer", s.transfer, "lines and arcs");
+  f.table("pencil", s.pencil, "of the digits");
+}
+
+// The digit that a picture shows: of those that the judge calls good, plain 0s and 1s aside, the one it is
+// surest of.
+Eigen::Index most_legible(const hbr::Hdf5Reader& digits) {
+  const auto label = digits.read<std::uint8_t>("hbr/label").values;
+  const auto good = digits.read<std::uint8_t>("hbr/good").values;
+  const auto confidence = digits.read<float>("hbr/confidence").values;
+  std::size_t best = 0;
+  const auto rank = [&](std::size_t i) { return std::pair(good[i] && label[i] > 1, confidence[i]); };
+  for (std::size_t i = 1; i < label.size(); ++i)
+    if (rank(i) > rank(best)) best = i;
+  return static_cast<Eigen::Index>(best);
+}
+
+// Of all lines and arcs that the repertoires hold.
+void write_layer_errors(hbr::Hdf5Writer& file, const TransferSlice& s, hbr::Seed seed,
+                        const hbr::StackOnBody& arm, const hbr::StackOnBody& robot, hbr::Workers& workers) {
+  const auto starts = static_cast<std::size_t>(s.transfer.starts);
+  const auto sides = [&](int level) {
+    return std::pair(hbr::Side{arm.stack.points(), arm.stack.layer(level)},
+                     hbr::Side{robot.stack.points(), robot.stack.layer(level)});
+  };
+  const int lines = arm.level("lines"), arcs = arm.level("arcs");
+  const hbr::Rows &of_lines = arm.elites[lines].measures, &of_arcs = arm.elites[arcs].measures;
+
+  const auto [arm_lines, robot_lines] = sides(lines);
+  const hbr::LineErrors line = line_errors(arm.stack.model(lines).frame(), of_lines, arm_lines, robot_lines,
+                                           s.transfer.starts, seed.child("lines"), workers);
+  const auto n_lines = static_cast<std::size_t>(of_lines.rows());
+  file.write("lines/end", {n_lines, starts}, line.end.data());
+  file.write("lines/displacement", {n_lines, starts}, line.displacement.data());
+
+  const auto [arm_arcs, robot_arcs] = sides(arcs);
+  const hbr::ArcErrors arc = arc_errors(arm.stack.model(arcs).frame(), of_arcs, arm_arcs, robot_arcs,
+                                        hbr::arc_outcome(arm.stack.model(arcs)).centre(), s.transfer.starts,
+                                        seed.child("arcs"), workers);
+  const auto n_arcs = static_cast<std::size_t>(of_arcs.rows());
+  file.write("arcs/end", {n_arcs, starts}, arc.end.data());
+  file.write("arcs/centre", {n_arcs, starts}, arc.centre.data());
+  file.write("arcs/length", {n_arcs, starts}, arc.length.data());
+}
+
+void run(hbr::StageRun& stage) {
+  const auto s = stage.settings_as<TransferSlice>();
+  const hbr::StackOnBody arm = hbr::read_stack(stage, "arm"), robot = hbr::read_stack(stage, "robot");
+  const hbr::LayerModel &by_arm = arm.top(), &by_robot = robot.top();
+  const hbr::Elites& digits = arm.elites.back();
+
+  const auto n = static_cast<std::size_t>(digits.size());
+  std::vector<std::uint8_t> arm_images(n * hbr::kImagePixels), robot_images(n * hbr::kImagePixels);
+  std::vector<float> absolute(n), squared(n);
+  hbr::Workers workers(stage.threads());
+  workers.for_ranges(n, 16, [&](std::size_t begin, std::size_t end) {
+    Eigen::VectorXf a(hbr::kImagePixels), b(hbr::kImagePixels);
+    for (std::size_t i = begin; i < end; ++i) {
+      const float* genome = digits.solution.row(i).data();
+      const int length = digits.genes(i);
+      by_arm.draw(genome, length, a.data());
+      by_robot.draw(genome, length, b.data());
+      absolute[i] = (a - b).cwiseAbs().mean();
+      squared[i] = (a - b).squaredNorm() / static_cast<float>(hbr::kImagePixels);
+      hbr::image_to_bytes(a.data(), &arm_images[i * hbr::kImagePixels]);
+      hbr::image_to_bytes(b.data(), &robot_images[i * hbr::kImagePixels]);
+    }
+  });
+
+  const Eigen::Index shown = most_legible(hbr::Hdf5Reader(stage.input("digits")));
+  const hbr::Trace trace =
+      trace_of(*by_robot.executor(), digits.solution.row(shown).data(), digits.genes(shown));
+  const auto points = static_cast<std::size_t>(trace.points());
+
+  const std::vector<std::size_t> images{n, hbr::kImageSide, hbr::kImageSide};
+  hbr::Hdf5Writer file(stage.output());
+  stage.write_settings(file);
+  file.attribute("framing", s.pencil.framing);
+  file.write("id", digits.id);
+  file.write("arm", images, arm_images.data());
+  file.write("robot", images, robot_images.data());
+  file.write("absolute", absolute);
+  file.write("squared", squared);
+  write_layer_errors(file, s, seed_of(stage, s), arm, robot, workers);
+  file.write("picture/pen", {points, 2}, trace.pen.data());
+  file.write("picture/joints", {points, static_cast<std::size_t>(robot.body->dof())},
+             std::vector<float>(trace.joints.begin(), trace.joints.end()).data());
+  file.write("picture/id", std::vector<std::int64_t>{digits.id[shown]});
+  file.close();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Transfer of the digits", run); }
