@@ -35,6 +35,9 @@ Figure lines_figure(const Evidence& evidence);         // Fig. res_line a
 Figure arcs_figure(const Evidence& evidence);          // Fig. res_line b
 Figure arc_quality_figure(const Evidence& evidence);   // arcs re-executed from fresh starts
 
+Figure numbers_figure(const Evidence& evidence);  // beyond the paper: layer 5
+Figure layers_figure(const Evidence& evidence);   // the profile's own layers
+
 // All of them, in this order.
 std::vector<Figure> all_figures(const Evidence& evidence);
 

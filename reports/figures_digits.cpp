@@ -103,12 +103,13 @@ Figure judge_figure(const Evidence& evidence) {
 }
 
 std::vector<Figure> all_figures(const Evidence& evidence) {
-  return {points_figure(evidence),   searches_figure(evidence),   autoencoder_figure(evidence),
-          strokes_figure(evidence),  digits_figure(evidence),     continuum_figure(evidence),
-          judge_figure(evidence),    fooling_figure(evidence),    substitution_figure(evidence),
-          transfer_figure(evidence), coverage_figure(evidence),   posture_figure(evidence),
-          dynamics_figure(evidence), tuned_figure(evidence),      lines_figure(evidence),
-          arcs_figure(evidence),     arc_quality_figure(evidence)};
+  return {points_figure(evidence),   searches_figure(evidence),    autoencoder_figure(evidence),
+          strokes_figure(evidence),  digits_figure(evidence),      continuum_figure(evidence),
+          judge_figure(evidence),    fooling_figure(evidence),     substitution_figure(evidence),
+          transfer_figure(evidence), coverage_figure(evidence),    posture_figure(evidence),
+          dynamics_figure(evidence), tuned_figure(evidence),       lines_figure(evidence),
+          arcs_figure(evidence),     arc_quality_figure(evidence), numbers_figure(evidence),
+          layers_figure(evidence)};
 }
 
 std::string hero_picture(const Artifacts& artifacts, int rows) {

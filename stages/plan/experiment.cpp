@@ -5,6 +5,7 @@
 #include "pipeline/artifact/profile.h"
 #include "pipeline/artifact/variations.h"
 #include "pipeline/core/check.h"
+#include "stages/plan/old_keys.h"
 #include "stages/plan/plan.h"
 
 namespace hbr {
@@ -19,6 +20,7 @@ SettingsSource varied(const SettingsSource& source, std::size_t index, const Pro
       throw InputError("{}:{}:{}: variation '{}' can't change '{}'; expected a key that a stage depends on",
                        at.file, at.line, at.column, variation.name, key);
     }
+  refuse_old_keys(changes);
   SettingsSource profile = laid_over(source, changes);
   profile.values["name"] = profile.values["name"].get<std::string>() + "/" + variation.name;
   profile.values["variations"] = nlohmann::json::array();
@@ -67,6 +69,7 @@ Graph planned(const SettingsSource& source, const std::string& where) {
 
 Graph experiment_graph(const std::filesystem::path& file) {
   const SettingsSource source = read_inheriting(file);
+  refuse_old_keys(source);
   const auto profile = settings_from_source<Profile>(source);
   Graph graph = planned(source, file.string());
   check_variations(file.string(), profile, graph);

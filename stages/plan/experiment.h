@@ -1,5 +1,5 @@
 // The experiment: which stages a profile asks for, what each is told and what it reads. Read top to bottom,
-// experiment.cpp is the paper.
+// this folder is the paper.
 #pragma once
 
 #include <filesystem>

@@ -189,6 +189,10 @@ TEST(Layers, AreReadStrictly) {
               HasSubstr("layer 'a' is of lines, which command places; 'a' answers to displacements"));
   EXPECT_THAT(complaint("leave_out = [\"layer2_n10\"]"),
               HasSubstr("layer 'layer2_n10' is left out, but 'layer3_b' is built on it"));
+  EXPECT_EQ(complaint("longest_line = 0.2"),
+            "p.toml:3:1: 'longest_line' is how profiles were written before; write defaults.longest_line");
+  EXPECT_THAT(complaint("[layer2]\nspacing = 0.1"),
+              HasSubstr("p.toml:3:2: 'layer2' is how profiles were written"));
   EXPECT_THAT(complaint("leave_out = [\"layer9\"]"), HasSubstr("there is no layer 'layer9'"));
   EXPECT_THAT(complaint("accuracy.layers = [\"layer2_n1\", \"layer3_b\"]"),
               HasSubstr("'layer2_n1' is built on 'layer1', 'layer3_b' on 'layer2_n10'"));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/core/random.h"
+#include "pipeline/hierarchy/joints.h"
 #include "pipeline/hierarchy/point_layer.h"
 #include "tests/models/simbody/chains.h"
 

@@ -29,6 +29,15 @@ TEST(ArtifactName, HasHeadVariantAndReplication) {
   }
 }
 
+TEST(ArtifactName, OfTheProfilesOwnLayersIsTheirs) {
+  const ArtifactName own = parse_artifact_name("spirals/04.h5", {"spirals", "layer1"});
+  EXPECT_EQ(own.prefix(), "layers.spirals");
+  EXPECT_EQ(own.replication, 4);
+  EXPECT_EQ(parse_artifact_name("layer1/04.h5", {"spirals", "layer1"}).prefix(), "layer1");
+  EXPECT_THROW(parse_artifact_name("spiral/04.h5", {"spirals"}), InputError);
+  EXPECT_EQ(meaning_of("layers.spirals.size")->text, "layer, spirals: elites in the repertoire");
+}
+
 TEST(ArtifactName, RefusesOtherNames) {
   for (const char* name :
        {"", "layer5/00.h5", "layer2/first.h5", "layer2_n1.0/00.h5", "report", "layer1/.h5"})
@@ -36,12 +45,26 @@ TEST(ArtifactName, RefusesOtherNames) {
 }
 
 TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
-  for (const char* name :
-       {"layer2.n10.size", "layer1.size", "reference4d.size", "layer3.b.fresh_mean", "flat_arcs.equal_mean",
-        "accuracy.reference_endpoint", "substitution.m3.substitute", "transfer.nao.absolute_median",
-        "dynamics.nao.arm_rms", "dynamics.nao.whole_torque_of.LHipPitch", "dynamics.nao.duration",
-        "tuned.arm.top.good_gain", "tuned.nao.all.arc_centre_from_arm", "digits.hbr.good_of_class.4",
-        "autoencoder.kept_of_class.2", "judge.test_accuracy", "layer4.generations", "genes.hierarchy"}) {
+  for (const char* name : {"layer2.n10.size",
+                           "layer1.size",
+                           "reference4d.size",
+                           "layer3.b.fresh_mean",
+                           "flat_arcs.equal_mean",
+                           "accuracy.reference_endpoint",
+                           "substitution.m3.substitute",
+                           "transfer.nao.absolute_median",
+                           "dynamics.nao.arm_rms",
+                           "dynamics.nao.whole_torque_of.LHipPitch",
+                           "dynamics.nao.duration",
+                           "numbers.values",
+                           "numbers.nao.legible",
+                           "tuned.arm.top.good_gain",
+                           "tuned.nao.all.arc_centre_from_arm",
+                           "digits.hbr.good_of_class.4",
+                           "autoencoder.kept_of_class.2",
+                           "judge.test_accuracy",
+                           "layer4.generations",
+                           "genes.hierarchy"}) {
     const auto meaning = meaning_of(name);
     ASSERT_TRUE(meaning) << name;
     EXPECT_EQ(meaning->text.find("{}"), std::string::npos);
