@@ -114,12 +114,13 @@ Contender contender(const std::string& name) {
       dot != std::string::npos && name.substr(0, dot).ends_with("_of"))
     return {name, in_two_lines(name.substr(dot + 1)), Colour::green};
   // Layers and robots that the table does not know have the names that the profile gives them.
-  for (const char* of : {"layers.", "numbers."})
-    if (!who && name.starts_with(of)) {
-      const std::string rest = name.substr(std::string(of).size());
-      return {name, rest.find('.') == std::string::npos ? "arm" : rest.substr(0, rest.find('.')),
-              Colour::blue};
-    }
+  const auto second_word = [&] {
+    const std::size_t dot = name.find('.') + 1;
+    return name.substr(dot, name.find('.', dot) - dot);
+  };
+  if (!who && name.starts_with("layers.")) return {name, second_word(), Colour::blue};
+  if (!who && name.starts_with("numbers."))
+    return {name, std::ranges::count(name, '.') > 1 ? robot_title(second_word()) : "arm", Colour::blue};
   return who ? Contender{name, who->label, who->colour} : Contender{name, name, Colour::grey};
 }
 

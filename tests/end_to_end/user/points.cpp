@@ -2,24 +2,25 @@
 #include <cstdio>
 
 #include "models/arm/planar_arm.h"
-#include "pipeline/hierarchy/point_layer.h"
+#include "pipeline/hierarchy/layers/points.h"
+#include "pipeline/hierarchy/stack.h"
 #include "pipeline/qd/distance_archive.h"
 #include "pipeline/qd/search.h"
 
 int main() {
   const hbr::PlanarArm arm({0.3, 0.2, 0.1}, 3);
-  const hbr::Frame frame{0.6, 0.6};
-  const hbr::PointEvaluator evaluator(arm, frame, hbr::joint_variance, 0);
+  auto points = hbr::make_points({0.6, "joint_variance"}, {arm});
   const auto archive = hbr::make_distance_archive(3, 2, {0.05f, 0.1f, 15, 0, 1});
   const hbr::PolynomialMutation mutation(3, 10, 0.1f);
   hbr::CuriositySelector selector;
-  hbr::Search search(*archive, selector, mutation, evaluator, {200, 100, 50}, hbr::Seed(1));
+  hbr::Search search(*archive, selector, mutation, points->evaluator(), {200, 100, 50}, hbr::Seed(1));
   hbr::Workers workers(2);
   while (!search.done()) search.step(workers);
 
-  const hbr::PointLayer points(archive->store().in_id_order(), arm, frame);
+  hbr::Stack stack;
+  stack.add(std::move(points), archive->store().in_id_order());
   const Eigen::Vector2d place(0.2, 0.3);
-  const Eigen::Vector2d reached = points.position(points.nearest(place));
+  const Eigen::Vector2d reached = stack.points().position(stack.points().nearest(place));
   std::printf("%d points; (0.2, 0.3) within %s\n", archive->size(),
               (reached - place).norm() < 0.06 ? "6 cm" : "more");
 }
