@@ -15,7 +15,7 @@ const Eigen::Vector3f kInk(0.86f, 0.22f, 0.12f), kGlass(0.80f, 0.90f, 0.95f), kF
 // Lengths below are those of a board for NAO; larger robots have larger boards and thicker pens.
 double enlarged(const DrawingPlane& plane) { return plane.scale / 0.258; }
 
-Posed strokes(const DrawingPlane& plane, const Drawing& drawing, std::size_t last) {
+Posed strokes(const DrawingPlane& plane, const DrawnStroke& drawing, std::size_t last) {
   Posed ink{"strokes", {}};
   const double radius = 0.0024 * enlarged(plane), shortest = 1e-4 * enlarged(plane);  // m
   Eigen::Vector3d from = plane.to_robot(drawing.pen[0]);
@@ -87,7 +87,7 @@ Eigen::Vector3d level_view(const DrawingPlane& plane, double back_rad, double do
 }  // namespace
 
 Scene drawing_scene(const RobotOnPlane& robot, const std::vector<std::vector<Mesh>>& meshes,
-                    const Drawing& drawing, std::size_t at, double half_side) {
+                    const DrawnStroke& drawing, std::size_t at, double half_side) {
   const Eigen::Index dof = robot.dof();
   HBR_CHECK(
       at < drawing.pen.size() && drawing.joints.size() == drawing.pen.size() * static_cast<std::size_t>(dof),

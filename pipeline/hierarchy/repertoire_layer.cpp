@@ -61,13 +61,17 @@ std::unique_ptr<CommandTable> make_command_table(const Rows& rows, float low, fl
 
 RepertoireLayer::RepertoireLayer(const Elites& elites, const Decoder& decoder, const PointLayer& points,
                                  const Layer& below, float slack)
-    : size_(elites.size()),
-      command_size_(static_cast<int>(elites.measures.cols())),
+    : descriptors_(elites.measures),
       low_(elites.measures.minCoeff()),
       high_(elites.measures.maxCoeff()),
-      table_(make_command_table(elites.measures, low_ - slack, high_ + slack)) {
+      slack_(slack) {
   plans_.make(decoder, points, below, elites.solution, elites.length.empty() ? nullptr : elites.length.data(),
               0, static_cast<int>(elites.size()));
+}
+
+void RepertoireLayer::nearest(int n, const float* const* commands, std::int32_t* elites) const {
+  std::call_once(asked_, [&] { table_ = make_command_table(descriptors_, low_ - slack_, high_ + slack_); });
+  table_->nearest(n, commands, elites);
 }
 
 }  // namespace hbr

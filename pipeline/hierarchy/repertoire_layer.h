@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 
 #include "pipeline/hierarchy/plans.h"
 
@@ -25,23 +26,22 @@ class RepertoireLayer final : public Layer {
   RepertoireLayer(const Elites& elites, const Decoder& decoder, const PointLayer& points, const Layer& below,
                   float slack);
 
-  Eigen::Index size() const override { return size_; }
-  int command_size() const override { return command_size_; }
+  Eigen::Index size() const override { return descriptors_.rows(); }
+  int command_size() const override { return static_cast<int>(descriptors_.cols()); }
   float low() const override { return low_; }
   float high() const override { return high_; }
-  void nearest(int n, const float* const* commands, std::int32_t* elites) const override {
-    table_->nearest(n, commands, elites);
-  }
+  void nearest(int n, const float* const* commands, std::int32_t* elites) const override;
   void perform(Executions& executions, Group group, const std::int32_t* elites, int repeat) const override {
     plans_.perform(executions, group, elites, repeat);
   }
 
  private:
-  Eigen::Index size_;
-  int command_size_;
-  float low_, high_;
-  std::unique_ptr<CommandTable> table_;
+  Rows descriptors_;
+  float low_, high_, slack_;
   Plans plans_;
+  // Made when it is first asked: many a stack's top never is.
+  mutable std::once_flag asked_;
+  mutable std::unique_ptr<CommandTable> table_;
 };
 
 }  // namespace hbr

@@ -64,7 +64,7 @@ void add_tests(StatisticsTable& table) {
 nlohmann::json collect_statistics(const std::string& profile,
                                   const std::map<std::string, std::filesystem::path>& inputs,
                                   const std::set<std::string>& layers) {
-  Artifacts artifacts;
+  ArtifactsByHead artifacts;
   for (const auto& [name, path] : inputs) {
     const ArtifactName parsed = parse_artifact_name(name, layers);
     artifacts[parsed.head].push_back({parsed, path});

@@ -121,7 +121,7 @@ void add_hierarchy_genes(StatisticsTable& table, const std::vector<Search>& sear
 
 }  // namespace
 
-void read_searches(const Artifacts& artifacts, StatisticsTable& table) {
+void read_searches(const ArtifactsByHead& artifacts, StatisticsTable& table) {
   std::vector<Search> searches;
   for (const auto& [head, list] : artifacts)
     if (is_search(head))

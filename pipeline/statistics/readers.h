@@ -16,9 +16,9 @@ struct Artifact {
   std::filesystem::path path;
 };
 // By head ("layer2"), each list in the order of its artifacts' names.
-using Artifacts = std::map<std::string, std::vector<Artifact>>;
+using ArtifactsByHead = std::map<std::string, std::vector<Artifact>>;
 
-void read_searches(const Artifacts& artifacts, StatisticsTable& table);
+void read_searches(const ArtifactsByHead& artifacts, StatisticsTable& table);
 void read_comparison(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_autoencoders(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_descriptor(const std::vector<Artifact>& artifacts, StatisticsTable& table);

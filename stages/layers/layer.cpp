@@ -1,12 +1,12 @@
 // Evolves a layer of any kind, over the layers below it; or lets one go on to evolve where what is below it
 // has changed (paper, section 5.2, as an outlook).
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/layers.h"
 #include "stages/layers/body.h"
 #include "stages/layers/evolve.h"
 #include "stages/layers/images.h"
 #include "stages/layers/read_stack.h"
-#include "stages/layers/run_settings.h"
 #include "stages/layers/warm_start.h"
 #include "stages/learned/descriptors.h"
 

@@ -4,22 +4,20 @@
 
 #include "models/autoencoder/file.h"
 #include "models/autoencoder/trainer.h"
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/artifact/stage.h"
 #include "stages/learned/descriptor_evidence.h"
 
 namespace hbr {
 namespace {
 
-struct StageSettings {
-  std::uint64_t seed = 0;
-  int replication = 0;
+struct StageSettings : RunTable {
   AutoencoderSettings training;
 };
 
 template <class Fields>
 void describe(Fields& f, StageSettings& s) {
-  f.number("seed", s.seed, Range{0, 9e15}, "master seed");
-  f.number("replication", s.replication, Range{0, 1e6}, "index of the replication");
+  describe_run(f, s);
   describe(f, s.training);
 }
 

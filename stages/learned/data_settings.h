@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/judge/judge.h"
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/settings.h"
 
 namespace hbr {
@@ -48,7 +49,7 @@ struct JudgeStage {
 };
 template <class Fields>
 void describe(Fields& f, JudgeStage& s) {
-  f.number("seed", s.seed, Range{0, 9007199254740991.0}, "master seed");
+  describe_seed(f, s.seed);
   f.table("judge", s.judge, "the judge");
   f.table("random_strokes", s.random_strokes, "the control");
 }

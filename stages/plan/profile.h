@@ -8,6 +8,7 @@
 
 #include "models/autoencoder/trainer.h"
 #include "models/simbody/robot_settings.h"
+#include "pipeline/artifact/run_settings.h"
 #include "stages/layers/body.h"
 #include "stages/layers/search_settings.h"
 #include "stages/learned/data_settings.h"
@@ -22,8 +23,8 @@ struct Replications {
 };
 template <class Fields>
 void describe(Fields& f, Replications& s) {
-  f.number("lines", s.lines, Range{1, 999}, "of all that concerns layers 1 to 3");
-  f.number("digits", s.digits, Range{0, 999},
+  f.number("lines", s.lines, Range{1, kMaxReplications}, "of all that concerns layers 1 to 3");
+  f.number("digits", s.digits, Range{0, kMaxReplications},
            "of the digits and their transfer; at most as many as of the lines");
 }
 
@@ -96,7 +97,7 @@ struct SearchesTable {
 };
 template <class Fields>
 void describe(Fields& f, SearchesTable& s) {
-  f.number("replications", s.replications, Range{0, 999}, "of every search");
+  f.number("replications", s.replications, Range{0, kMaxReplications}, "of every search");
   f.text("layer", s.layer, "of points, which is evolved by other searches");
   describe_generations(f, s.search);
   f.number("passive_cells", s.passive_cells, Range{1, 1e4},
@@ -163,7 +164,7 @@ struct Profile {
 template <class Fields>
 void describe(Fields& f, Profile& s) {
   f.text("name", s.name, "as the report calls the profile");
-  f.number("seed", s.seed, Range{0, 9007199254740991.0}, "master seed");
+  describe_seed(f, s.seed);
   f.table("replications", s.replications, "how often everything is repeated");
   f.table("dataset", s.dataset, "images that the digits shall resemble");
   f.table("descriptor", s.descriptor, "what places the digits and judges them in the search");

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "models/simbody/servos.h"
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/check.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/drawing/draw.h"
@@ -13,7 +14,6 @@
 #include "pipeline/hierarchy/trace.h"
 #include "stages/layers/body.h"
 #include "stages/layers/read_stack.h"
-#include "stages/layers/run_settings.h"
 #include "stages/robots/robot_tasks.h"
 
 namespace hbr {

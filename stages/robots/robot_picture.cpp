@@ -4,6 +4,7 @@
 #include "models/simbody/picture.h"
 #include "models/simbody/plane_file.h"
 #include "pipeline/artifact/stage.h"
+#include "pipeline/hierarchy/drawing_settings.h"
 
 namespace hbr {
 namespace {
@@ -16,12 +17,12 @@ struct PictureStage {
 
 template <class Fields>
 void describe(Fields& f, PictureStage& s) {
-  f.number("half_side", s.half_side, Range{1e-3, 1e3}, "L, m: the arm's drawing area is [-L, L]^2");
+  describe_half_side(f, s.half_side);
   f.number("height", s.height, Range{60, 6000}, "of the posture's picture, pixels");
   f.table("robot", s.robot, "the robot");
 }
 
-Drawing read_drawing(const std::filesystem::path& path, const Robot& robot) {
+DrawnStroke read_drawing(const std::filesystem::path& path, const Robot& robot) {
   const Hdf5Reader file(path);
   const auto joints = file.read<float>("picture/joints"), pen = file.read<float>("picture/pen");
   if (joints.shape.size() != 2 || pen.shape.size() != 2 || pen.shape[1] != 2 || pen.shape[0] == 0 ||
@@ -29,7 +30,7 @@ Drawing read_drawing(const std::filesystem::path& path, const Robot& robot) {
     throw InputError(
         "{}: picture/joints and picture/pen do not fit robot '{}'; expected [m x {}] and [m x 2]",
         path.string(), robot.name(), robot.dof());
-  Drawing drawing;
+  DrawnStroke drawing;
   drawing.joints.assign(joints.values.begin(), joints.values.end());
   for (std::size_t i = 0; i < pen.shape[0]; ++i)
     drawing.pen.emplace_back(pen.values[2 * i], pen.values[2 * i + 1]);
@@ -46,7 +47,7 @@ void run(StageRun& stage) {
   const auto folder =
       stage.has_input("meshes") ? stage.input("meshes") : std::filesystem::path(settings.robot.meshes);
   const auto meshes = link_meshes(robot.body().model(), folder, settings.robot.mesh_scale);
-  const Drawing drawing = read_drawing(stage.input("strokes"), robot);
+  const DrawnStroke drawing = read_drawing(stage.input("strokes"), robot);
   const std::size_t last = drawing.pen.size() - 1;
   std::filesystem::create_directories(stage.output());
 

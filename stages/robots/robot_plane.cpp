@@ -11,7 +11,9 @@
 #include "models/simbody/robot_on_plane.h"
 #include "models/simbody/search_plane.h"
 #include "pipeline/artifact/repertoire_file.h"
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/artifact/stage.h"
+#include "pipeline/hierarchy/drawing_settings.h"
 
 namespace hbr {
 namespace {
@@ -25,8 +27,8 @@ struct PlaneStage {
 
 template <class Fields>
 void describe(Fields& f, PlaneStage& s) {
-  f.number("seed", s.seed, Range{0, 9e15}, "master seed");
-  f.number("half_side", s.half_side, Range{1e-3, 1e3}, "L, m: the arm's drawing area is [-L, L]^2");
+  describe_seed(f, s.seed);
+  describe_half_side(f, s.half_side);
   f.table("robot", s.robot, "the robot");
   f.table("search", s.search, "the search for its plane");
 }

@@ -8,10 +8,10 @@
 #include "models/simbody/polish.h"
 #include "models/simbody/reach.h"
 #include "pipeline/artifact/repertoire_file.h"
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/hierarchy/layers/points.h"
 #include "stages/layers/body.h"
-#include "stages/layers/run_settings.h"
 
 namespace {
 

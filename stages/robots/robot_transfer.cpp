@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "pipeline/hierarchy/trace.h"
 #include "stages/layers/read_stack.h"
-#include "stages/layers/run_settings.h"
 #include "stages/robots/robot_tasks.h"
 #include "stages/studies/layer_errors.h"
 

@@ -5,12 +5,12 @@
 #include <cstdlib>
 
 #include "models/judge/judge.h"
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/hierarchy/layers.h"
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "stages/layers/images.h"
 #include "stages/layers/read_stack.h"
-#include "stages/layers/run_settings.h"
 #include "stages/layers/warm_start.h"
 #include "stages/learned/descriptors.h"
 #include "stages/robots/robot_tasks.h"

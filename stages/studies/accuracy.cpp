@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/hierarchy/layers/lines.h"
 #include "pipeline/qd/neighbour_grid.h"
 #include "stages/layers/read_stack.h"
-#include "stages/layers/run_settings.h"
 
 namespace hbr {
 namespace {

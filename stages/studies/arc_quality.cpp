@@ -1,9 +1,9 @@
 // The stored arcs executed again from fresh starts: what a stored fitness is worth. A search that sees one
 // sample keeps lucky draws.
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "stages/layers/read_stack.h"
-#include "stages/layers/run_settings.h"
 
 namespace hbr {
 namespace {

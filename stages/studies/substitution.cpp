@@ -2,10 +2,10 @@
 // and over the substitute, and what becomes of their regularity and of the joints.
 #include <array>
 
+#include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "stages/layers/read_stack.h"
-#include "stages/layers/run_settings.h"
 
 namespace hbr {
 namespace {

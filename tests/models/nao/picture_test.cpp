@@ -45,7 +45,7 @@ class NaoPicture : public testing::Test {
 
   RobotOnPlane robot_;
   std::vector<std::vector<Mesh>> meshes_;
-  Drawing drawing_;
+  DrawnStroke drawing_;
 };
 
 TEST_F(NaoPicture, HasAStrokeForEachPieceDrawnSoFar) {
