@@ -40,7 +40,7 @@ class DescribedFormat {
       for (const std::string& array : arrays(file, "/"))
         EXPECT_TRUE(is_told(text, array)) << name << ": " << array << " stands nowhere in FORMAT.md";
     }
-    const std::regex name("`([A-Za-z0-9_/]*\\.h5)`");
+    const std::regex name("`([A-Za-z0-9_/]+\\.h5)`");
     for (const std::string& paragraph : paragraphs_)
       for (std::sregex_iterator match(paragraph.begin(), paragraph.end(), name), end; match != end; ++match) {
         const std::string told = (*match)[1];
@@ -61,8 +61,8 @@ class DescribedFormat {
     paragraph.clear();
   }
 
-  // "nao_left_tuned/00.h5" -> "ROBOT_tuned/RR.h5"; the paragraph that begins with it, or that of all
-  // repertoires.
+  // "nao_left_tuned/00.h5" -> "ROBOT_tuned/RR.h5"; the paragraph that begins with it, and that of all
+  // repertoires where it is one.
   std::string description(const std::string& name) {
     std::string pattern = std::regex_replace(name, std::regex("/[0-9]+\\.h5$"), "/RR.h5");
     seen_.insert(pattern);
@@ -70,7 +70,7 @@ class DescribedFormat {
     seen_.insert(pattern);
     for (const std::string& paragraph : paragraphs_)
       if (paragraph.starts_with("`" + pattern + "`"))
-        return pattern.starts_with("ROBOT_polish") ? paragraph + repertoires_ : paragraph;
+        return paragraph.find("repertoire") != std::string::npos ? paragraph + repertoires_ : paragraph;
     return repertoires_;
   }
 
