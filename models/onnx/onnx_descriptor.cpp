@@ -9,9 +9,9 @@
 #include <opencv2/dnn.hpp>
 #include <vector>
 
-#include "pipeline/artifact/own_process.h"
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
+#include "pipeline/process/own_process.h"
 #include "pipeline/qd/dimension.h"
 
 namespace hbr {

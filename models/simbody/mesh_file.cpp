@@ -12,8 +12,8 @@
 #include "models/simbody/find_mesh.h"
 #include "models/simbody/mesh_bytes.h"
 #include "models/simbody/shapes.h"
-#include "pipeline/artifact/own_process.h"
 #include "pipeline/core/check.h"
+#include "pipeline/process/own_process.h"
 
 namespace hbr {
 namespace {

@@ -1,7 +1,6 @@
 #include "pipeline/artifact/claim.h"
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,6 +15,7 @@
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/file_error.h"
+#include "pipeline/process/child.h"
 
 namespace hbr {
 namespace fs = std::filesystem;
@@ -93,14 +93,14 @@ void keep_claim(const fs::path& out, const Process& holder) {
   sigemptyset(&wakes);
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&wakes, signal);
   ::sigprocmask(SIG_BLOCK, &wakes, nullptr);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  signal_at_end_of_parent(SIGTERM);
   while (::getppid() == holder.id) {
     const std::optional<Process> now = holder_of(out);
     if (now && !(*now == holder)) {
       fmt::print(stderr,
                  "{}: another make (process {} on {}) took this folder while nothing was heard of this one\n",
                  out.string(), now->id, now->host);
-      ::kill(holder.id, SIGTERM);
+      ask_to_end(holder);
       ::_exit(1);
     }
     ::utimensat(AT_FDCWD, claim_path(out).c_str(), nullptr, 0);

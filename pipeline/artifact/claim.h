@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-#include "pipeline/artifact/process.h"
+#include "pipeline/process/identity.h"
 
 namespace hbr {
 

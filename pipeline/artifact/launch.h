@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/artifact/child.h"
 #include "pipeline/artifact/cost.h"
 #include "pipeline/artifact/record.h"
+#include "pipeline/process/run_child.h"
 
 namespace hbr {
 

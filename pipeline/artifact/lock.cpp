@@ -7,12 +7,12 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <thread>
 
 #include "pipeline/artifact/claim.h"
 #include "pipeline/core/file_error.h"
+#include "pipeline/process/child.h"
 
 namespace hbr {
 namespace {
@@ -50,9 +50,7 @@ void lock_folder(const std::filesystem::path& out) {
 
   const Process holder = this_process();
   claim_folder(out, holder);
-  const pid_t keeper = ::fork();
-  if (keeper == 0) keep_claim(out, holder);
-  if (keeper < 0) throw InputError("{}: can't start a process: {}", out.string(), std::strerror(errno));
+  start_work([&]() -> int { keep_claim(out, holder); });
 }
 
 void leave_lock_to_parent() {

@@ -7,9 +7,9 @@
 
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/json_file.h"
-#include "pipeline/artifact/process.h"
 #include "pipeline/artifact/toolchain.h"
 #include "pipeline/core/check.h"
+#include "pipeline/process/identity.h"
 
 namespace hbr {
 namespace {

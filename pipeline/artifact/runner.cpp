@@ -5,11 +5,11 @@
 #include <fstream>
 #include <set>
 
-#include "pipeline/artifact/child.h"
 #include "pipeline/artifact/launch.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
+#include "pipeline/process/run_child.h"
 
 namespace hbr {
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pipeline/artifact/process.h"
+#include "pipeline/process/identity.h"
 
 namespace hbr {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/artifact/process.h"
+#include "pipeline/process/identity.h"
 
 namespace hbr {
 namespace fs = std::filesystem;

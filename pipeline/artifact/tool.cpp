@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <set>
 
-#include "pipeline/artifact/child.h"
 #include "pipeline/artifact/group.h"
 #include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/lock.h"
@@ -23,6 +21,7 @@
 #include "pipeline/artifact/version.h"
 #include "pipeline/core/file_error.h"
 #include "pipeline/core/settings.h"
+#include "pipeline/process/child.h"
 
 namespace hbr {
 namespace fs = std::filesystem;
@@ -118,9 +117,7 @@ int make(Arguments& arguments, const Graph& graph, const Graph& all) {
   set("HBR_VERSION", version_of(arguments.workspace.repository));
   set("HBR_MAKE", std::to_string(::getpid()));  // exec keeps the number
   if (jobs_of_make() != 1) set("HBR_PROGRESS", "lines");
-  ::execlp(arguments.make.c_str(), arguments.make.c_str(), "--no-print-directory", "-f",
-           plan_path(arguments.workspace.out).c_str(), "all", nullptr);
-  throw InputError("can't run {}: {}", arguments.make, std::strerror(errno));
+  become({arguments.make, "--no-print-directory", "-f", plan_path(arguments.workspace.out).string(), "all"});
 }
 
 // What make would run, by the programs as they are. Writes nothing.

@@ -3,7 +3,7 @@
 
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/manifest.h"
-#include "pipeline/artifact/process.h"
+#include "pipeline/process/identity.h"
 #include "tests/end_to_end/launcher.h"
 
 namespace hbr {

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "pipeline/artifact/process.h"
+#include "pipeline/process/identity.h"
 #include "tests/end_to_end/fake_folder.h"
 
 namespace hbr {

@@ -24,6 +24,7 @@ COVER = {
     "pipeline/hierarchy": ["pipeline_hierarchy"],
     "pipeline/drawing": ["pipeline_drawing", "pipeline_hierarchy"],
     "pipeline/statistics": ["pipeline_statistics", "reports"],
+    "pipeline/process": ["pipeline_process", "pipeline_artifact"],
     "pipeline/artifact": ["pipeline_artifact", "end_to_end"],
     "models/arm": ["models_arm", "pipeline_hierarchy"],
     "models/autoencoder": ["models_autoencoder", "models_descriptor"],

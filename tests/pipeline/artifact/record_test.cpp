@@ -3,14 +3,13 @@
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <vector>
 
-#include "pipeline/artifact/process.h"
 #include "pipeline/core/check.h"
+#include "pipeline/process/child.h"
+#include "pipeline/process/identity.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -31,12 +30,10 @@ void compute(double seconds) {
 
 template <class Task>
 void in_a_child(Task task) {
-  const pid_t child = ::fork();
-  if (child == 0) {
+  wait_for(start_work([&] {
     task();
-    ::_exit(0);
-  }
-  ::waitpid(child, nullptr, 0);
+    return 0;
+  }));
 }
 
 TEST(RunRecord, CountsTheProgramAndItsChildren) {
@@ -84,35 +81,6 @@ TEST(RunRecord, IsReadAsItWasWrittenAndNothingElseIs) {
   EXPECT_THAT(message(all.dump()), HasSubstr("cpu_seconds"));
   all.erase("cpu_seconds");
   EXPECT_THAT(message(all.dump()), HasSubstr("cpu_seconds"));
-}
-
-TEST(Process, IsKnownByHostNumberAndStart) {
-  const Process self = this_process();
-  EXPECT_TRUE(is_alive(self));
-  EXPECT_EQ(process_of(text_of(self)), self);
-  Process later = self;  // of the same number
-  ++later.started;
-  EXPECT_FALSE(is_alive(later));
-  EXPECT_FALSE(is_alive({self.host, self.id, 0}));
-  for (const char* odd : {"", "12", "12.13", "12@host", "a.13@host", "12.b@host", "12@1.host", "-.1@h",
-                          "1.2@", "1.2@a b", "1.2@a\n"})
-    EXPECT_FALSE(process_of(odd)) << odd;
-  Process child;
-  int told[2];
-  ASSERT_EQ(::pipe(told), 0);
-  const pid_t zombie = ::fork();
-  if (zombie == 0) {
-    const unsigned long long started = this_process().started;
-    if (::write(told[1], &started, sizeof started) < 0) ::_exit(1);
-    ::_exit(0);
-  }
-  child.id = zombie;
-  ASSERT_EQ(::read(told[0], &child.started, sizeof child.started),
-            static_cast<ssize_t>(sizeof child.started));
-  siginfo_t ended{};
-  ::waitid(P_PID, static_cast<id_t>(zombie), &ended, WEXITED | WNOWAIT);
-  EXPECT_FALSE(is_alive(child));  // though it still has its number
-  ::waitpid(zombie, nullptr, 0);
 }
 
 }  // namespace

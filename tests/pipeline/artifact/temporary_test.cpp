@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "pipeline/artifact/process.h"
+#include "pipeline/process/identity.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "pipeline/artifact/child.h"
+#include "pipeline/process/run_child.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {

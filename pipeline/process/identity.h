@@ -19,8 +19,9 @@ struct Process {
 };
 
 Process this_process();
-// Only of this host's: whether it has not ended.
+// Only of this host's: whether it has not ended, and a termination signal for it.
 bool is_alive(const Process& process);
+void ask_to_end(const Process& process);
 
 // "1234.56789@host", as file names carry it; the host's odd characters become '_'.
 std::string text_of(const Process& process);

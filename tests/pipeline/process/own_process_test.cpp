@@ -1,4 +1,4 @@
-#include "pipeline/artifact/own_process.h"
+#include "pipeline/process/own_process.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

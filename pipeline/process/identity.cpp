@@ -1,4 +1,4 @@
-#include "pipeline/artifact/process.h"
+#include "pipeline/process/identity.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -51,6 +52,10 @@ Process this_process() { return {this_host(), ::getpid(), start_of(::getpid())};
 
 bool is_alive(const Process& process) {
   return process.started != 0 && start_of(process.id) == process.started;
+}
+
+void ask_to_end(const Process& process) {
+  if (is_alive(process)) ::kill(process.id, SIGTERM);
 }
 
 std::string text_of(const Process& process) {

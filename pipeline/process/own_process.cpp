@@ -1,7 +1,7 @@
-#include "pipeline/artifact/own_process.h"
+#include "pipeline/process/own_process.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 #include <cstring>
 #include <fstream>
 
-#include "pipeline/artifact/child.h"
 #include "pipeline/core/check.h"
+#include "pipeline/process/bytes.h"
+#include "pipeline/process/child.h"
 
 namespace hbr {
 namespace {
@@ -42,61 +43,39 @@ std::string said_by(const std::function<std::string()>& work) {
   }
 }
 
-void write_all(int file, const std::string& text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const ssize_t n = ::write(file, text.data() + at, text.size() - at);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) ::_exit(1);
-    at += static_cast<std::size_t>(n);
-  }
-}
-
-std::string read_all(int file) {
-  std::string text;
-  char buffer[1 << 16];
-  for (;;) {
-    const ssize_t n = ::read(file, buffer, sizeof buffer);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return text;
-    text.append(buffer, static_cast<std::size_t>(n));
-  }
-}
-
 }  // namespace
 
 std::string OwnProcess::run(const std::string& what, const std::function<std::string()>& work) const {
   int ends[2];
-  if (::pipe(ends) != 0) throw InputError("{}: can't be read: {}", what, std::strerror(errno));
-  const pid_t parent = ::getpid(), child = ::fork();
-  if (child == 0) {
-    end_with_parent(parent);
-    ::close(ends[0]);
-    set_limit(RLIMIT_CORE, 0);
-    set_limit(RLIMIT_CPU, cpu_seconds);
-    set_limit(RLIMIT_AS, address_space_in_use() + memory_bytes);
-    write_all(ends[1], said_by(work));
-    ::_exit(0);
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw InputError("{}: can't be read: {}", what, std::strerror(errno));
+  const int parent = ::getpid();
+  int child = 0;
+  try {
+    child = start_work([&] {
+      end_with_parent(parent);
+      ::close(ends[0]);
+      set_limit(RLIMIT_CORE, 0);
+      set_limit(RLIMIT_CPU, cpu_seconds);
+      set_limit(RLIMIT_AS, address_space_in_use() + memory_bytes);
+      return write_all(ends[1], said_by(work)) ? 0 : 1;
+    });
+  } catch (const InputError& error) {
+    for (const int end : ends) ::close(end);
+    throw InputError("{}: can't be read: {}", what, error.what());
   }
   ::close(ends[1]);
-  if (child < 0) {
-    ::close(ends[0]);
-    throw InputError("{}: can't be read: {}", what, std::strerror(errno));
-  }
   const std::string said = read_all(ends[0]);
   ::close(ends[0]);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status == 0 && !said.empty()) {
+  const Ending ending = wait_for(child);
+  if (ending.exit_code == 0 && !said.empty()) {
     if (said[0] == kDone) return said.substr(1);
     const std::string why = said.substr(1, said.find('\n') - 1);
     throw InputError("{}: {}", what, why);
   }
-  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL)
+  if (ending.signal == SIGXCPU || ending.signal == SIGKILL)
     throw InputError("{}: reading it does not end within {} s of computing", what, cpu_seconds);
   throw InputError("{}: the reader crashed on it{}; the file is damaged", what,
-                   signal ? fmt::format(" ({})", ::strsignal(signal)) : "");
+                   ending.signal ? fmt::format(" ({})", ::strsignal(ending.signal)) : "");
 }
 
 }  // namespace hbr
