@@ -6,7 +6,7 @@
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
-#include "reports/speed.h"
+#include "reports/kept/speed.h"
 
 int main(int argc, char** argv) {
   return hbr::guarded_main("speed_table", [&] {

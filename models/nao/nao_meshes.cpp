@@ -1,7 +1,7 @@
 #include "models/nao/nao_meshes.h"
 
 #include "models/nao/nao_shells.h"
-#include "models/simbody/mesh_file.h"
+#include "models/robot/looks/mesh_file.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {

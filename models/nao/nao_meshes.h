@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "models/simbody/mesh.h"
+#include "models/robot/looks/mesh.h"
 
 namespace hbr {
 

@@ -1,7 +1,7 @@
 // Colours and placing of NAO's shells.
 #pragma once
 
-#include "models/simbody/shapes.h"
+#include "models/robot/looks/shapes.h"
 
 namespace hbr::nao {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "models/simbody/mesh.h"
+#include "models/robot/looks/mesh.h"
 
 namespace hbr {
 

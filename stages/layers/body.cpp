@@ -1,7 +1,7 @@
 #include "stages/layers/body.h"
 
 #include "models/arm/planar_arm.h"
-#include "models/simbody/plane_file.h"
+#include "models/robot/plane/plane_file.h"
 #include "pipeline/core/check.h"
 
 namespace hbr {

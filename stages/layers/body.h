@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "models/simbody/robot_on_plane.h"
-#include "models/simbody/robot_settings.h"
+#include "models/robot/plane/robot_on_plane.h"
+#include "models/robot/plane/robot_settings.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/robot.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/autoencoder/trainer.h"
-#include "models/simbody/robot_settings.h"
+#include "models/robot/plane/robot_settings.h"
 #include "pipeline/artifact/run_settings.h"
 #include "stages/layers/body.h"
 #include "stages/layers/search_settings.h"

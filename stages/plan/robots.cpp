@@ -1,7 +1,7 @@
 // What the robots do: where they draw, their points, and the digits of the arm over these.
 #include <algorithm>
 
-#include "models/simbody/find_mesh.h"
+#include "models/robot/description/find_mesh.h"
 #include "stages/plan/plan.h"
 
 namespace hbr {

@@ -1,12 +1,12 @@
 // The report: statistics.json and the artifacts -> a folder with index.html. Inputs are named by their paths
 // below OUT; the settings say where the claims and the readings are written down.
-#include "reports/report.h"
+#include "reports/page/report.h"
 
 #include "pipeline/artifact/stage.h"
 #include "pipeline/statistics/statistics_file.h"
-#include "reports/claims.h"
-#include "reports/readings.h"
-#include "reports/speed.h"
+#include "reports/claims/claims.h"
+#include "reports/claims/readings.h"
+#include "reports/kept/speed.h"
 
 namespace hbr {
 namespace {

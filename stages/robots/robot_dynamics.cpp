@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "models/simbody/servos.h"
+#include "models/robot/body/servos.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/check.h"
 #include "pipeline/core/parallel.h"

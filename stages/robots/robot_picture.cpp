@@ -1,8 +1,8 @@
 // Pictures of a robot that draws a digit: one posture, a strip of poses, and the posed body as .glb.
 #include <opencv2/imgproc.hpp>
 
-#include "models/simbody/picture.h"
-#include "models/simbody/plane_file.h"
+#include "models/robot/looks/picture.h"
+#include "models/robot/plane/plane_file.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 

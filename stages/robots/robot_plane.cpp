@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "models/simbody/missing_part.h"
-#include "models/simbody/plane_file.h"
-#include "models/simbody/refine_plane.h"
-#include "models/simbody/robot_on_plane.h"
-#include "models/simbody/search_plane.h"
+#include "models/robot/plane/missing_part.h"
+#include "models/robot/plane/plane_file.h"
+#include "models/robot/plane/refine_plane.h"
+#include "models/robot/plane/robot_on_plane.h"
+#include "models/robot/plane/search_plane.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/artifact/stage.h"

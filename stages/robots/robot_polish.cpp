@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "models/simbody/polish.h"
-#include "models/simbody/reach.h"
+#include "models/robot/plane/polish.h"
+#include "models/robot/plane/reach.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"

@@ -2,7 +2,7 @@
 // manifests of OUT, as the folder REPORT. No stage: what it writes depends on when and where.
 #include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
-#include "reports/provenance.h"
+#include "reports/page/provenance.h"
 
 int main(int argc, char** argv) {
   return hbr::guarded_main("publish", [&] {

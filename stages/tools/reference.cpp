@@ -7,7 +7,7 @@
 
 #include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
-#include "reports/verify.h"
+#include "reports/kept/verify.h"
 
 int main(int argc, char** argv) {
   return hbr::guarded_main("reference", [&] {

@@ -4,9 +4,10 @@
 #include <cstdio>
 #include <limits>
 
-#include "models/simbody/body.h"
-#include "models/simbody/render.h"
-#include "models/simbody/robot_facts.h"
+#include "models/robot/body/body.h"
+#include "models/robot/body/robot_facts.h"
+#include "models/robot/looks/render.h"
+#include "models/robot/looks/visible_links.h"
 #include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
 

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "models/simbody/clearance.h"
-#include "models/simbody/plane_file.h"
-#include "models/simbody/robot_on_plane.h"
+#include "models/robot/plane/clearance.h"
+#include "models/robot/plane/plane_file.h"
+#include "models/robot/plane/robot_on_plane.h"
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/repertoire_file.h"
 

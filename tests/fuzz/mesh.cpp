@@ -1,9 +1,9 @@
 // A mesh. assimp reads it in a process of its own, because it crashes on damaged files; so what is held here
 // is what stays in ours: that this process lives, and says in one line what became of the other. Beside it,
 // the names of other files that a mesh holds, which we read ourselves. The first byte says which format.
-#include "models/simbody/find_mesh.h"
-#include "models/simbody/mesh_bytes.h"
-#include "models/simbody/mesh_file.h"
+#include "models/robot/description/find_mesh.h"
+#include "models/robot/looks/mesh_bytes.h"
+#include "models/robot/looks/mesh_file.h"
 #include "pipeline/core/check.h"
 #include "tests/fuzz/fuzz.h"
 

@@ -1,6 +1,6 @@
 // A robot: its URDF, up to the body that it makes.
-#include "models/simbody/body.h"
-#include "models/simbody/robot_facts.h"
+#include "models/robot/body/body.h"
+#include "models/robot/body/robot_facts.h"
 #include "tests/fuzz/fuzz.h"
 
 namespace hbr::fuzz {

@@ -33,7 +33,7 @@ COVER = {
     "models/judge": ["models_judge", "stages"],
     "models/nao": ["models_nao"],
     "models/onnx": ["models_onnx"],
-    "models/simbody": ["models_simbody", "models_nao"],
+    "models/robot": ["models_robot", "models_nao"],
 }
 
 MEMORY = 8 << 30  # bytes of address space of a test program

@@ -2,79 +2,13 @@
 // small, with numbers near the paper's, drawn from a fixed seed.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
-#include "pipeline/artifact/hdf5_file.h"
-#include "pipeline/artifact/repertoire_file.h"
-#include "pipeline/core/random.h"
+#include "tests/support/synthetic_robots.h"
 
 namespace hbr {
 
-class SyntheticExperiment {
+class SyntheticExperiment : public SyntheticRobots {
  public:
-  SyntheticExperiment(std::filesystem::path folder, int replications)
-      : folder_(std::move(folder)), replications_(replications) {}
-
-  // Name -> path, as the statistics stage gets them.
-  const std::map<std::string, std::filesystem::path>& artifacts() const { return artifacts_; }
-
-  // A search that grows to `size` elites by 1 - exp(-8 generation / generations), recorded 21 times.
-  void search(const std::string& stage, int size, int genes, double best, double mean, int generations,
-              int samples = 1) {
-    for (int r = 0; r < replications_; ++r) {
-      Rng rng(Seed(1).child(stage).child(static_cast<std::uint64_t>(r)));
-      const auto n = static_cast<Eigen::Index>(size * rng.uniform(0.97f, 1.03f));
-      Elites elites;
-      elites.solution = Rows::Constant(n, genes, 0.5f);
-      elites.measures = Rows::Constant(n, 2, 0.5f);
-      elites.objective = Eigen::VectorXf(n);
-      const double shift = 1 + 0.02 * (rng.uniform_double() - 0.5);
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const double u = static_cast<double>(i) / static_cast<double>(n > 1 ? n - 1 : 1);
-        elites.objective[i] = static_cast<float>((best + 2 * (mean - best) * u) * shift);
-        elites.id.push_back(i);
-        elites.parent.push_back(-1);
-      }
-      std::vector<ProgressRow> progress;
-      for (int step = 0; step <= 20; ++step) {
-        const double grown = 1 - std::exp(-8.0 * step / 20), worse = 3 * std::exp(-8.0 * step / 20);
-        progress.push_back({generations * step / 20,
-                            step == 20 ? n : static_cast<std::int64_t>(grown * static_cast<double>(n)),
-                            best * shift * (1 + worse), mean * shift * (1 + worse),
-                            200L * generations * step / 20});
-      }
-      Hdf5Writer file(place(stage, r));
-      write_elites(file, elites, progress);
-      file.attribute("settings", fmt::format("{{\"layer\":{{\"samples\":{}}}}}", samples));
-      file.close();
-    }
-  }
-
-  // Values around `middle`, 5 % wide, one array for each replication.
-  void values(const std::string& stage, const std::string& array, double middle, int n) {
-    arrays_[stage].push_back({array, middle, n});
-  }
-
-  void write_values() {
-    for (const auto& [stage, arrays] : arrays_)
-      for (int r = 0; r < replications_; ++r) {
-        Hdf5Writer file(place(stage, r));
-        for (const auto& [name, middle, n] : arrays) {
-          Rng rng(Seed(2).child(stage).child(name).child(static_cast<std::uint64_t>(r)));
-          std::vector<float> values;
-          for (int i = 0; i < n; ++i)
-            values.push_back(static_cast<float>(middle) * rng.uniform(0.95f, 1.05f));
-          file.write(name, values);
-        }
-        file.close();
-      }
-  }
+  using SyntheticRobots::SyntheticRobots;
 
   void substitution(const std::vector<double>& original, const std::vector<double>& substitute, int n) {
     for (int r = 0; r < replications_; ++r) {
@@ -150,122 +84,6 @@ class SyntheticExperiment {
         file.write(prefix + "confidence", confidence);
         file.write(prefix + "distance", distance);
         file.write(prefix + "good", good);
-      }
-      file.close();
-    }
-  }
-
-  // One image in fifty fails.
-  void transfer(const std::string& robot, int n) {
-    for (int r = 0; r < replications_; ++r) {
-      Rng rng(Seed(6).child(static_cast<std::uint64_t>(r)));
-      std::vector<float> absolute, squared;
-      for (int i = 0; i < n; ++i) {
-        absolute.push_back(i % 50 == 0 ? 0.08f : 0.0092f * rng.uniform(0.3f, 1.7f));
-        squared.push_back(absolute.back() / 3);
-      }
-      Hdf5Writer file(place(robot + "_transfer", r));
-      file.write("absolute", absolute);
-      file.write("squared", squared);
-      for (const auto& [name, middle] :
-           {std::pair{"lines/end", 0.006f}, std::pair{"lines/displacement", 0.008f},
-            std::pair{"arcs/end", 0.02f}, std::pair{"arcs/centre", 0.03f}, std::pair{"arcs/length", 0.01f}}) {
-        Array<float> errors{{50, 4}, {}};
-        for (int i = 0; i < 200; ++i) errors.values.push_back(middle * rng.uniform(0.1f, 1.9f));
-        file.write(name, errors);
-      }
-      file.close();
-    }
-  }
-
-  // Two joints, one of them loaded twice as much as the other.
-  void dynamics(const std::string& robot, int n) {
-    const auto rows = static_cast<std::size_t>(n);
-    for (int r = 0; r < replications_; ++r) {
-      Rng rng(Seed(8).child(static_cast<std::uint64_t>(r)));
-      const auto around = [&](float middle) {
-        std::vector<float> values;
-        for (int i = 0; i < n; ++i) values.push_back(middle * rng.uniform(0.8f, 1.2f));
-        return values;
-      };
-      Hdf5Writer file(place(robot + "_dynamics", r));
-      file.write("duration", around(8));
-      for (const std::string player : {"wanted", "arm", "whole"}) {
-        const Array<std::uint8_t> image{{rows, 28, 28}, std::vector<std::uint8_t>(784 * rows, 100)};
-        if (player == "wanted") file.write("image", image);
-        file.write(player + "/image", image);
-        file.write(player + "/absolute", around(0.02f));
-        file.write(player + "/squared", around(0.008f));
-        if (player == "wanted") continue;
-        file.write(player + "/rms", around(6e-5f));
-        file.write(player + "/max", around(2e-4f));
-        file.write(player + "/off_plane", around(3e-3f));
-        file.write(player + "/faster", around(3));
-        for (const char* load : {"torque", "speed"}) {
-          Array<float> shares{{rows, 2}, {}};
-          for (int i = 0; i < n; ++i) {
-            const float share = rng.uniform(0.1f, 0.3f);
-            shares.values.insert(shares.values.end(), {share, 2 * share});
-          }
-          file.write(player + "/" + load, shares);
-        }
-        file.attribute(player + ".joints", std::string("Shoulder Elbow"));
-      }
-      file.close();
-    }
-  }
-
-  // The robot's digits are worse than the arm's by 0.004, and gain twice as much.
-  void tuned(const std::string& robot, int n) {
-    const bool arm = robot == "arm";
-    for (int r = 0; r < replications_; ++r) {
-      Rng rng(Seed(9).child(robot).child(static_cast<std::uint64_t>(r)));
-      Hdf5Writer file(place(robot + "_tuned", r));
-      for (const auto& [state, error, share, stroke] :
-           {std::tuple{"before", arm ? 0.030f : 0.034f, 0.5f, 0.012f},
-            std::tuple{"top", arm ? 0.028f : 0.030f, 0.6f, 0.f},
-            std::tuple{"all", arm ? 0.027f : 0.028f, 0.65f, 0.010f}}) {
-        const std::string name = state;
-        std::vector<float> objective, absolute;
-        std::vector<std::uint8_t> good;
-        for (int i = 0; i < n; ++i) {
-          objective.push_back(-error * rng.uniform(0.8f, 1.2f));
-          absolute.push_back(error * rng.uniform());
-          good.push_back(rng.uniform() < share);
-        }
-        file.write(name + "/objective", objective);
-        file.write(name + "/good", good);
-        file.write(name + "/absolute", absolute);
-        if (name == "top") continue;
-        file.write(name + "/arc_fitness", std::vector<float>{-stroke, -2 * stroke});
-        float scale = 1;
-        for (const char* error_of : {"line", "line_from_arm", "arc_centre", "arc_centre_from_arm",
-                                     "arc_length", "arc_length_from_arm"}) {
-          Array<float> errors{{50, 4}, {}};
-          for (int i = 0; i < 200; ++i) errors.values.push_back(scale * stroke * rng.uniform(0.1f, 1.9f));
-          file.write(name + "/" + error_of, errors);
-          scale += 1;
-        }
-      }
-      file.close();
-    }
-  }
-
-  // Seven elites, one of them added; of ten points three have none within l before, one after.
-  void polish(const std::string& robot) {
-    for (int r = 0; r < replications_; ++r) {
-      Hdf5Writer file(place(robot + "_polish", r));
-      file.attribute("settings.spacing", 0.01);
-      file.write("objective", std::vector<float>(7, -0.4f));
-      for (const auto& [when, apart, away] :
-           {std::tuple{"before", 3, 8e-4f}, std::tuple{"after", 1, 1e-7f}}) {
-        const std::string prefix = std::string(when) + "/";
-        std::vector<float> nearest(10, 0.005f);
-        std::fill_n(nearest.begin(), apart, 0.02f);
-        file.write(prefix + "nearest", nearest);
-        file.write(prefix + "off_plane", std::vector<float>(6, away));
-        file.write(prefix + "distance", std::vector<float>(6, 2 * away));
-        file.write(prefix + "variance", std::vector<float>{.1f, .2f, .3f, .4f, .5f, .6f});
       }
       file.close();
     }
@@ -347,24 +165,6 @@ class SyntheticExperiment {
     polish("nao");
     single("nao_plane.h5", {{"covered", 0.998}, {"scale", 0.26}});
   }
-
- private:
-  struct Values {
-    std::string name;
-    double middle;
-    int n;
-  };
-
-  std::filesystem::path place(const std::string& stage, int replication) {
-    const std::string name = fmt::format("{}/{:02}.h5", stage, replication);
-    std::filesystem::create_directories(folder_ / stage);
-    return artifacts_[name] = folder_ / name;
-  }
-
-  std::filesystem::path folder_;
-  int replications_;
-  std::map<std::string, std::filesystem::path> artifacts_;
-  std::map<std::string, std::vector<Values>> arrays_;
 };
 
 }  // namespace hbr

@@ -1,5 +1,5 @@
 // Pens per second of CPU time: what the evolution of NAO's layer 1 costs.
-#include "models/simbody/robot_on_plane.h"
+#include "models/robot/plane/robot_on_plane.h"
 
 #include <benchmark/benchmark.h>
 

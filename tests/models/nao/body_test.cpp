@@ -1,5 +1,5 @@
 // NAO's body: the closed form of its right hand, the table of masses, 25 independent joints.
-#include "models/simbody/body.h"
+#include "models/robot/body/body.h"
 
 #include <gtest/gtest.h>
 #include <tinyxml2.h>

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "models/simbody/servos.h"
+#include "models/robot/body/servos.h"
 #include "tests/models/nao/right_arm.h"
 
 namespace hbr {

@@ -7,11 +7,11 @@
 #include <set>
 
 #include "models/nao/nao_meshes.h"
-#include "models/simbody/body.h"
-#include "models/simbody/find_mesh.h"
-#include "models/simbody/mesh_file.h"
+#include "models/robot/body/body.h"
+#include "models/robot/description/find_mesh.h"
+#include "models/robot/looks/mesh_file.h"
 #include "tests/models/nao/right_arm.h"
-#include "tests/models/simbody/urdf_text.h"
+#include "tests/models/robot/description/urdf_text.h"
 
 namespace hbr {
 namespace {

@@ -1,5 +1,5 @@
 // The picture of NAO at its board shows what was drawn, and NAO in its colours.
-#include "models/simbody/picture.h"
+#include "models/robot/looks/picture.h"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 
 #include <numbers>
 
-#include "models/simbody/refine_plane.h"
-#include "models/simbody/robot_on_plane.h"
-#include "models/simbody/search_plane.h"
+#include "models/robot/plane/refine_plane.h"
+#include "models/robot/plane/robot_on_plane.h"
+#include "models/robot/plane/search_plane.h"
 #include "tests/models/nao/right_arm.h"
 
 namespace hbr {

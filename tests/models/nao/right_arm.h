@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "models/simbody/robot_settings.h"
+#include "models/robot/plane/robot_settings.h"
 
 namespace hbr {
 

@@ -1,5 +1,5 @@
 // NAO under gravity: what its ankle bears, and a stroke drawn by its arm and by its whole body.
-#include "models/simbody/servos.h"
+#include "models/robot/body/servos.h"
 #include "tests/models/nao/right_arm.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,216 @@
+#include "models/robot/body/body.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "models/robot/body/simbody_system.h"
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace {
+
+// What keeps the parts from moving by forces, but for the one that stands still. Throws InputError where one
+// has no mass at all.
+std::string impossible(const RobotModel& model, const Parts& parts, int ground) {
+  for (int p = 0; p < static_cast<int>(parts.parts.size()); ++p) {
+    const Part& part = parts.parts[p];
+    if (part.parent >= 0 && !(part.mass > 0))
+      throw InputError("{}: what joint '{}' moves has no mass; give link '{}' an <inertial>",
+                       model.path.string(), model.joints[part.joint].name,
+                       model.links[model.joints[part.joint].child].name);
+  }
+  for (int p = 0; p < static_cast<int>(parts.parts.size()); ++p) {
+    const Part& part = parts.parts[p];
+    // A root without mass moves with what hangs on it.
+    if (p == ground || !(part.mass > 0) || part.fault.kind <= MassFault::Kind::rounded) continue;
+    const int link = part.joint < 0 ? 0 : model.joints[part.joint].child;
+    return fmt::format("{}: link '{}' and what is fixed to it: {}; it can draw, but has no dynamics",
+                       model.path.string(), model.links[link].name, part.fault.why);
+  }
+  return "";
+}
+
+}  // namespace
+
+struct Body::Pool {
+  std::mutex mutex;
+  std::vector<std::unique_ptr<SimbodySystem>> idle;
+};
+
+// An instance for as long as the lease lives.
+class Body::Lease {
+ public:
+  explicit Lease(const Body& body) : pool_(*body.pool_) {
+    {
+      const std::lock_guard<std::mutex> lock(pool_.mutex);
+      if (!pool_.idle.empty()) {
+        instance_ = std::move(pool_.idle.back());
+        pool_.idle.pop_back();
+        return;
+      }
+    }
+    instance_ = std::make_unique<SimbodySystem>(body.model_, *body.plan_);
+  }
+  ~Lease() {
+    const std::lock_guard<std::mutex> lock(pool_.mutex);
+    pool_.idle.push_back(std::move(instance_));
+  }
+  Lease(const Lease&) = delete;
+  SimbodySystem* operator->() const { return instance_.get(); }
+
+ private:
+  Pool& pool_;
+  std::unique_ptr<SimbodySystem> instance_;
+};
+
+Body::Body(RobotModel model, std::vector<std::string> moving, const std::map<std::string, double>& rest,
+           const std::string& ground)
+    : model_(std::move(model)),
+      moving_(std::move(moving)),
+      lower_(static_cast<Eigen::Index>(moving_.size())),
+      upper_(lower_.size()),
+      plan_(std::make_unique<SystemPlan>(SystemPlan{join_parts(model_, moving_, rest)})),
+      pool_(std::make_unique<Pool>()) {
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    const Joint& joint = model_.joints[model_.joint(moving_[i])];
+    lower_[static_cast<Eigen::Index>(i)] = joint.lower;
+    upper_[static_cast<Eigen::Index>(i)] = joint.upper;
+  }
+  plan_->impossible = impossible(model_, *plan_, 0);
+  try {
+    { const Lease first(*this); }  // what Simbody refuses is told here
+    if (!ground.empty()) stand_on(model_.link(ground), rest);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError("{}: Simbody refuses this body: {}", model_.path.string(), error.what());
+  }
+}
+
+Body::~Body() = default;
+
+void Body::stand_on(int link, const std::map<std::string, double>& rest) {
+  const Parts::Place place = plan_->places[link];
+  plan_->pose = link_poses(posture(rest))[link] * place.pose.inverse();
+  plan_->ground = place.part;
+  plan_->impossible = impossible(model_, *plan_, place.part);
+  pool_->idle.clear();  // they stand on the root
+  const Lease first(*this);
+}
+
+Eigen::VectorXd Body::posture(const std::map<std::string, double>& rest) const {
+  Eigen::VectorXd result(dof());
+  for (Eigen::Index i = 0; i < dof(); ++i) {
+    const auto given = rest.find(moving_[static_cast<std::size_t>(i)]);
+    result[i] = std::clamp(given == rest.end() ? 0 : given->second, lower_[i], upper_[i]);
+  }
+  return result;
+}
+
+double Body::mass() const {
+  const Lease instance(*this);
+  return instance->matter.calcSystemMass(instance->state);
+}
+
+Eigen::Vector3d Body::centre_of_mass(const Eigen::VectorXd& joints) const {
+  HBR_CHECK(joints.size() == dof(), "joints {}, expected {}", joints.size(), dof());
+  const Lease instance(*this);
+  instance->pose(*plan_, joints.data());
+  return eigen(instance->matter.calcSystemMassCenterLocationInGround(instance->state));
+}
+
+std::vector<Eigen::Isometry3d> Body::link_poses(const Eigen::VectorXd& joints) const {
+  HBR_CHECK(joints.size() == dof(), "joints {}, expected {}", joints.size(), dof());
+  const Lease instance(*this);
+  instance->pose(*plan_, joints.data());
+  std::vector<Eigen::Isometry3d> poses;
+  for (const Parts::Place& place : plan_->places)
+    poses.push_back(eigen(instance->bodies[place.part].getBodyTransform(instance->state)) * place.pose);
+  return poses;
+}
+
+void Body::positions(int link, Eigen::Index n, const double* joints, Eigen::Vector3d* out) const {
+  const Lease instance(*this);
+  const Parts::Place& place = plan_->places.at(link);
+  const SimTK::MobilizedBody& body = instance->bodies[place.part];
+  const SimTK::Vec3 station = vec3(place.pose.translation());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    instance->pose(*plan_, joints + i * dof());
+    out[i] = eigen(body.findStationLocationInGround(instance->state, station));
+  }
+}
+
+Eigen::Vector3d Body::position(int link, const double* joints, Eigen::Matrix3Xd* jacobian) const {
+  const Lease instance(*this);
+  const Parts::Place& place = plan_->places.at(link);
+  const SimTK::MobilizedBody& body = instance->bodies[place.part];
+  const SimTK::Vec3 station = vec3(place.pose.translation());
+  instance->pose(*plan_, joints);
+  if (jacobian) {
+    SimTK::Matrix_<SimTK::Vec3>& by_speed = instance->jacobian;
+    instance->matter.calcStationJacobian(
+        instance->state, SimTK::Array_<SimTK::MobilizedBodyIndex>(1, body.getMobilizedBodyIndex()),
+        SimTK::Array_<SimTK::Vec3>(1, station), by_speed);
+    jacobian->setZero(3, dof());
+    for (std::size_t i = 1; i < plan_->parts.size(); ++i) {
+      const Part& part = plan_->parts[i];
+      jacobian->col(part.coordinate) += part.multiplier * eigen(by_speed(0, instance->slots[i]));
+    }
+  }
+  return eigen(body.findStationLocationInGround(instance->state, station));
+}
+
+void Body::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                     const Eigen::Vector3d& gravity, Equations& out) const {
+  HBR_CHECK(joints.size() == dof() && speeds.size() == dof(), "joints {}, speeds {}, expected {}",
+            joints.size(), speeds.size(), dof());
+  if (!plan_->impossible.empty()) throw InputError("{}", plan_->impossible);
+  const Lease instance(*this);
+  instance->pose(*plan_, joints.data());
+  SimTK::State& state = instance->state;
+  const std::size_t n = plan_->parts.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (instance->slots[i] >= 0)
+      state.updU()[instance->slots[i]] = plan_->parts[i].multiplier * speeds[plan_->parts[i].coordinate];
+  instance->system.realize(state, SimTK::Stage::Velocity);
+
+  instance->forces = SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0));
+  for (std::size_t i = 0; i < n; ++i) {
+    const SimTK::MobilizedBody& body = instance->bodies[i];
+    const SimTK::Vec3 weight = plan_->parts[i].mass * vec3(gravity),
+                      arm = body.getBodyRotation(state) * vec3(plan_->parts[i].centre);
+    instance->forces[body.getMobilizedBodyIndex()] = {arm % weight, weight};
+  }
+  instance->matter.calcResidualForceIgnoringConstraints(state, instance->no_torques, instance->forces,
+                                                        instance->no_accelerations, instance->residual);
+  instance->matter.calcM(state, instance->mass);
+
+  // Joints that follow others add up in the coordinate that they follow.
+  out.mass.setZero(dof(), dof());
+  out.bias.setZero(dof());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (instance->slots[i] < 0) continue;
+    const Part& a = plan_->parts[i];
+    out.bias[a.coordinate] += a.multiplier * instance->residual[instance->slots[i]];
+    for (std::size_t k = 0; k < n; ++k) {
+      if (instance->slots[k] < 0) continue;
+      const Part& b = plan_->parts[k];
+      out.mass(a.coordinate, b.coordinate) +=
+          a.multiplier * b.multiplier * instance->mass(instance->slots[i], instance->slots[k]);
+    }
+  }
+}
+
+std::vector<bool> Body::moves(int link) const {
+  // The joints of the parts from the link to the root, or from what stands still to the root, but not of
+  // both.
+  std::vector<bool> on_path(plan_->parts.size(), false);
+  for (const int end : {plan_->places.at(link).part, plan_->ground})
+    for (int p = end; p > 0; p = plan_->parts[p].parent) on_path[p] = !on_path[p];
+  std::vector<bool> result(dof(), false);
+  for (std::size_t p = 1; p < on_path.size(); ++p)
+    if (on_path[p]) result[plan_->parts[p].coordinate] = true;
+  return result;
+}
+
+}  // namespace hbr

@@ -1,0 +1,85 @@
+// A robot as a Simbody multibody system: any URDF, posed by the joints that are asked for.
+//
+// The body is immutable. Every thread that asks it something works on a System and State of its own, taken
+// from a pool, so all members may be called from any thread at once. Only simbody_system.h sees Simbody's
+// headers.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "models/robot/description/robot_model.h"
+
+namespace hbr {
+
+// mass * accelerations + bias = torques: what a body obeys at its joints and speeds. The bias are the torques
+// that hold it against gravity and against centrifugal and Coriolis forces.
+struct Equations {
+  Eigen::MatrixXd mass;  // [dof x dof], kg m^2 (kg for prismatic joints)
+  Eigen::VectorXd bias;  // [dof], N m (N)
+};
+
+struct SystemPlan;
+
+class Body {
+ public:
+  // `moving` names the joints that are coordinates, in this order; they may not be fixed or follow another.
+  // Joints that follow one of them move with it. Every other joint is locked where `rest` says (rad or m), at
+  // 0 without a word there, brought within its limits. Throws InputError for unknown or unfit joints and for
+  // a part that would move without mass. The link `ground` stands still, where it is in the posture `rest`;
+  // "": the root link.
+  Body(RobotModel model, std::vector<std::string> moving, const std::map<std::string, double>& rest = {},
+       const std::string& ground = "");
+  ~Body();
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  const RobotModel& model() const { return model_; }
+  const std::vector<std::string>& moving() const { return moving_; }
+  const Eigen::VectorXd& lower() const { return lower_; }  // [dof], rad or m
+  const Eigen::VectorXd& upper() const { return upper_; }
+  Eigen::Index dof() const { return lower_.size(); }
+
+  // The moving joints where `rest` has them, at 0 without a word there, within their limits [dof].
+  Eigen::VectorXd posture(const std::map<std::string, double>& rest) const;
+
+  // The whole robot's, kg; and its centre in the root link's frame, m. joints [dof].
+  double mass() const;
+  Eigen::Vector3d centre_of_mass(const Eigen::VectorXd& joints) const;
+
+  // Places and directions below are in the root link's frame; where another link stands still, in that which
+  // the root link has in the posture `rest`.
+
+  // Every link's frame in the root link's, by index in model().links.
+  std::vector<Eigen::Isometry3d> link_poses(const Eigen::VectorXd& joints) const;
+
+  // Origins of `link` in the root link's frame, for n configurations [n x dof], row-major; m.
+  void positions(int link, Eigen::Index n, const double* joints, Eigen::Vector3d* out) const;
+
+  // The same for one configuration, with its derivative by the joints [3 x dof] where asked for.
+  Eigen::Vector3d position(int link, const double* joints, Eigen::Matrix3Xd* jacobian = nullptr) const;
+
+  // The equations of motion at these joints and speeds [dof] under uniform gravity, m/s^2. Throws InputError
+  // where a part that moves has a mass that no body has.
+  void equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds, const Eigen::Vector3d& gravity,
+                 Equations& out) const;
+
+  // The coordinates that move this link.
+  std::vector<bool> moves(int link) const;
+
+ private:
+  struct Pool;  // of systems that no thread uses
+  class Lease;
+  void stand_on(int link, const std::map<std::string, double>& rest);
+
+  RobotModel model_;
+  std::vector<std::string> moving_;
+  Eigen::VectorXd lower_, upper_;
+  std::unique_ptr<SystemPlan> plan_;
+  std::unique_ptr<Pool> pool_;
+};
+
+}  // namespace hbr

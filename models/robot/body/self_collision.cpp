@@ -1,0 +1,42 @@
+#include "models/robot/body/self_collision.h"
+
+#include <algorithm>
+
+namespace hbr {
+
+SelfCollision::SelfCollision(const Body& body) {
+  const RobotModel& model = body.model();
+  std::vector<std::vector<bool>> moved_by;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const int link = static_cast<int>(i);
+    moved_by.push_back(body.moves(link));
+    for (const Capsule& capsule : capsules_of(model, link)) capsules_.push_back(capsule);
+  }
+  const auto connected = [&](int parent, int child) {
+    const int joint = model.links[child].joint;
+    return joint >= 0 && model.joints[joint].parent == parent;
+  };
+  const Eigen::VectorXd rest = body.lower().cwiseMax(0).cwiseMin(body.upper());
+  const std::vector<Eigen::Isometry3d> poses = body.link_poses(rest);
+  const int n = static_cast<int>(capsules_.size());
+  for (int a = 0; a < n; ++a)
+    for (int b = a + 1; b < n; ++b) {
+      const int k = capsules_[a].link, l = capsules_[b].link;
+      if (moved_by[k] != moved_by[l] && !connected(k, l) && !connected(l, k) && !touch({a, b}, poses))
+        pairs_.push_back({a, b});
+    }
+}
+
+bool SelfCollision::touch(const Pair& pair, const std::vector<Eigen::Isometry3d>& poses) const {
+  const Capsule a = capsules_[pair.a].at(poses[capsules_[pair.a].link]),
+                b = capsules_[pair.b].at(poses[capsules_[pair.b].link]);
+  const double far = a.reach() + b.reach(), near = a.radius + b.radius;
+  if ((a.middle - b.middle).squaredNorm() > far * far) return false;
+  return squared_distance(a, b) < near * near;
+}
+
+bool SelfCollision::collides(const std::vector<Eigen::Isometry3d>& poses) const {
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return touch(pair, poses); });
+}
+
+}  // namespace hbr

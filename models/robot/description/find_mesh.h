@@ -1,0 +1,23 @@
+// Where the mesh files that a URDF names are. Reads none of them as a mesh.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "models/robot/description/robot_model.h"
+
+namespace hbr {
+
+// The file behind a mesh's name in a URDF: below `folder` where one is given (the name's last parts, or a
+// file of the same stem in another format), else beside the URDF (relative, file://, or package://NAME/...
+// with a folder NAME somewhere above the URDF). Throws InputError, naming what was tried, where there is
+// none.
+std::filesystem::path find_mesh(const std::string& name, const std::filesystem::path& urdf,
+                                const std::filesystem::path& folder);
+
+// All files that a robot's looks depend on: its meshes, found as above, and what they name themselves (an
+// OBJ's materials, a glTF's buffers), each once, in the order of the links. What is missing is left out.
+std::vector<std::filesystem::path> mesh_files(const RobotModel& model, const std::filesystem::path& folder);
+
+}  // namespace hbr

@@ -1,0 +1,43 @@
+#include "models/robot/description/robot_model.h"
+
+#include <fmt/ranges.h>
+
+#include "pipeline/core/check.h"
+
+namespace hbr {
+namespace {
+
+template <class Items>
+int find(const RobotModel& model, const Items& items, const char* what, const std::string& name) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name == name) return static_cast<int>(i);
+    names.push_back(items[i].name);
+  }
+  throw InputError("{}: the robot has no {} '{}'; it has: {}", model.path.string(), what, name,
+                   fmt::join(names, ", "));
+}
+
+}  // namespace
+
+Eigen::Isometry3d Joint::motion(double position) const {
+  Eigen::Isometry3d result = origin;
+  if (kind == Kind::prismatic) result.translate(position * axis);
+  if (kind == Kind::revolute || kind == Kind::continuous) result.rotate(Eigen::AngleAxisd(position, axis));
+  return result;
+}
+
+int RobotModel::link(const std::string& link_name) const { return find(*this, links, "link", link_name); }
+
+int RobotModel::joint(const std::string& joint_name) const {
+  return find(*this, joints, "joint", joint_name);
+}
+
+std::vector<std::string> RobotModel::independent_joints() const {
+  std::vector<std::string> names;
+  for (const Joint& joint : joints)
+    if (joint.kind != Joint::Kind::fixed && joint.mimic < 0) names.push_back(joint.name);
+  return names;
+}
+
+}  // namespace hbr

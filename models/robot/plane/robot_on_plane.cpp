@@ -1,0 +1,36 @@
+#include "models/robot/plane/robot_on_plane.h"
+
+#include <vector>
+
+#include "pipeline/core/check.h"
+
+namespace hbr {
+
+RobotOnPlane::RobotOnPlane(std::string name, std::shared_ptr<const Body> body, const std::string& tip,
+                           const DrawingPlane& plane, double off_plane_tolerance)
+    : name_(std::move(name)),
+      body_(std::move(body)),
+      tip_(body_->model().link(tip)),
+      plane_(plane),
+      tolerance_(off_plane_tolerance),
+      clearance_(std::make_shared<const Clearance>(*body_, tip_)) {
+  const std::vector<bool> moves = body_->moves(tip_);
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    if (!moves[i])
+      throw InputError("robot '{}': joint '{}' does not move the tip '{}'; leave it out of its joints", name_,
+                       body_->moving()[i], tip);
+}
+
+void RobotOnPlane::pens(Eigen::Index n, const double* joints, Pen* pens) const {
+  std::vector<Eigen::Vector3d> hands(n);
+  body_->positions(tip_, n, joints, hands.data());
+  for (Eigen::Index i = 0; i < n; ++i) pens[i] = plane_.to_pen(hands[i]);
+}
+
+RobotOnPlane make_robot(const RobotSettings& settings, const DrawingPlane& plane) {
+  if (settings.joints.empty()) throw InputError("robot '{}': no joints to draw with", settings.name);
+  auto body = std::make_shared<const Body>(load_urdf(settings.urdf), settings.joints, settings.rest());
+  return RobotOnPlane(settings.name, std::move(body), settings.tip_link, plane, settings.off_plane_tolerance);
+}
+
+}  // namespace hbr

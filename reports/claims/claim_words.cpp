@@ -1,0 +1,158 @@
+#include "reports/claims/claim_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "pipeline/statistics/names.h"
+#include "reports/text/format.h"
+
+namespace hbr {
+namespace {
+
+// In the unit of what was computed: ratios and chances have none.
+std::string in_unit(const Check& check, const Measured& m, double x) {
+  if (check.kind == "ratio") return format_number(x) + " times";
+  if (check.kind == "a12") return format_number(x);
+  return format_quantity(x, m.of.unit);
+}
+
+std::string figures(const Check& check, const Measured& m) {
+  if (check.kind == "value")
+    return m.of.values.empty() ? format_quantity(m.of.median, m.of.unit)
+                               : format_quartiles(m.of.median, m.of.q1, m.of.q3, m.of.unit);
+  const std::string pair = fmt::format("{} against {}", format_quantity(m.of.median, m.of.unit),
+                                       format_quantity(m.to.median, m.to.unit));
+  const std::string p = m.p && check.p_below < 1 ? ", p = " + format_number(*m.p) : "";
+  if (check.kind == "a12") return fmt::format("{} (A12 = {}{})", pair, format_number(*m.x), p);
+  return fmt::format("{} ({}{})", in_unit(check, m, *m.x), pair, p);
+}
+
+std::string asked(const Check& check, const Measured& m) {
+  const double low = check.reproduced[0], high = check.reproduced[1];
+  std::string range;
+  if (check.kind == "difference" && low == -high)
+    range = "at most " + in_unit(check, m, high) + " either way";
+  else if (low == high)
+    range = in_unit(check, m, low);
+  else if (std::isinf(high) || (check.kind == "a12" && high == 1))
+    range = "at least " + in_unit(check, m, low);
+  else if (low == 0)  // what claims are about is never negative
+    range = "at most " + in_unit(check, m, high);
+  else
+    range = fmt::format("{} to {}", format_number(low), in_unit(check, m, high));
+  if (check.kind == "a12") range = "A12 " + range;
+  return check.p_below < 1 ? range + " and p < " + format_number(check.p_below) : range;
+}
+
+std::string replications(const Measured& m) {
+  if (m.of.values.empty()) return "";
+  if (m.to.values.empty() || m.to.values.size() == m.of.values.size())
+    return fmt::format(", n = {}", m.of.values.size());
+  return fmt::format(", n = {} and {}", m.of.values.size(), m.to.values.size());
+}
+
+const char* in_words(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::yes:
+      return "holds";
+    case Outcome::partly:
+      return "holds in part";
+    case Outcome::no:
+      return "does not hold";
+    case Outcome::absent:
+      break;
+  }
+  return "not measured";
+}
+
+// "50 replications (this run: 3)": of each unit the need that is greatest.
+std::string shortfalls(const std::vector<NeedFound>& needs) {
+  std::map<std::string, const NeedFound*> greatest;
+  std::vector<std::string> parts, missing;
+  for (const NeedFound& n : needs) {
+    if (n.met) continue;
+    if (!n.found) {
+      missing.push_back(n.need.of);
+      continue;
+    }
+    const NeedFound*& kept = greatest[n.unit];
+    if (!kept || n.need.at_least > kept->need.at_least ||
+        (n.need.at_least == kept->need.at_least && *n.found < *kept->found))
+      kept = &n;
+  }
+  for (const auto& [unit, n] : greatest)
+    parts.push_back(
+        fmt::format("{} {} (this run: {})", format_number(n->need.at_least), unit, format_number(*n->found)));
+  if (!missing.empty()) parts.push_back(fmt::format("{} (not in this run)", fmt::join(missing, ", ")));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+// What a claim about size alone is about.
+std::string least_replications(const std::vector<NeedFound>& needs) {
+  std::optional<double> least;
+  for (const NeedFound& n : needs)
+    if (n.unit == "replications" && n.found) least = std::min(least.value_or(*n.found), *n.found);
+  return least ? format_number(*least) + " replications" : "–";
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+}  // namespace
+
+const char* outcome_name(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::yes:
+      return "yes";
+    case Outcome::partly:
+      return "partly";
+    case Outcome::no:
+      return "no";
+    case Outcome::absent:
+      break;
+  }
+  return "absent";
+}
+
+std::string check_sentence(const Check& check, const Measured& m) {
+  if (m.outcome == Outcome::absent) return fmt::format("{}: this run has no {}", check.words, m.absent);
+  return fmt::format("{}: {}{}; asked: {}; {}", check.words, figures(check, m), replications(m),
+                     asked(check, m), in_words(m.outcome));
+}
+
+std::string check_figure(const Check& check, const Measured& m) {
+  return (check.kind == "a12" ? "A12 " : "") + in_unit(check, m, *m.x);
+}
+
+std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measured,
+                          const std::vector<NeedFound>& needs) {
+  if (claim.checks.empty()) return least_replications(needs);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    if (measured[i].outcome != Outcome::absent)
+      parts.push_back(measured.size() == 1
+                          ? figures(claim.checks[i], measured[i])
+                          : claim.checks[i].words + ": " + figures(claim.checks[i], measured[i]));
+  return parts.empty() ? "–" : fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::string reason(const Claim& claim, const std::vector<Measured>& measured,
+                   const std::vector<NeedFound>& needs, const std::string& indication) {
+  std::vector<std::string> sentences;
+  if (const std::string lacking = shortfalls(needs); !lacking.empty()) {
+    sentences.push_back("Decided by a run of " + lacking + ".");
+    if (!indication.empty()) sentences.push_back(fmt::format("At this size it would read: {}.", indication));
+  }
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    sentences.push_back(capitalised(check_sentence(claim.checks[i], measured[i])) + ".");
+  if (sentences.empty()) sentences.push_back("The run is as large as the paper's.");
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+}  // namespace hbr

@@ -1,0 +1,47 @@
+// What was found about a claim, as sentences made from numbers.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reports/claims/claim_file.h"
+
+namespace hbr {
+
+// A statistic as claims see it: a number has no values.
+struct Statistic {
+  std::string unit;
+  double median = 0, q1 = 0, q3 = 0;
+  std::vector<double> values;
+};
+
+enum class Outcome { absent, yes, partly, no };
+const char* outcome_name(Outcome outcome);
+
+struct Measured {
+  Outcome outcome = Outcome::absent;
+  std::string absent;  // what is missing, where something is
+  Statistic of, to;
+  std::optional<double> x, p, a12;
+};
+
+struct NeedFound {
+  Need need;
+  std::optional<double> found;
+  std::string unit;
+  bool met = false;
+};
+
+// "reference against N = 10: 325 times; asked: at least 500; in part".
+std::string check_sentence(const Check& check, const Measured& measured);
+// "325 times", "A12 0.98": what was computed; only where it was.
+std::string check_figure(const Check& check, const Measured& measured);
+// The figures alone.
+std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measured,
+                          const std::vector<NeedFound>& needs);
+// What is too small, if anything is, and every check's sentence.
+std::string reason(const Claim& claim, const std::vector<Measured>& measured,
+                   const std::vector<NeedFound>& needs, const std::string& indication);
+
+}  // namespace hbr

@@ -1,0 +1,205 @@
+// Layers exchanged: another layer 1, another robot (Fig. transfer).
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/core/check.h"
+#include "reports/figures/contender.h"
+#include "reports/figures/figures.h"
+#include "reports/figures/panels.h"
+#include "reports/plot/picture.h"
+#include "reports/text/format.h"
+#include "reports/text/html.h"
+
+namespace hbr {
+namespace {
+
+const std::string kTransferred = "_transfer";
+
+struct Pair {
+  std::vector<std::uint8_t> arm, robot;  // 784
+  float absolute, squared;
+};
+
+std::vector<Pair> read_pairs(const std::vector<std::filesystem::path>& files) {
+  std::vector<Pair> pairs;
+  for (const auto& path : files) {
+    const Hdf5Reader file(path);
+    const auto arm = file.read<std::uint8_t>("arm").values, robot = file.read<std::uint8_t>("robot").values;
+    const auto absolute = file.read<float>("absolute").values, squared = file.read<float>("squared").values;
+    const std::size_t n = absolute.size();
+    if (arm.size() != n * 784 || robot.size() != n * 784 || squared.size() != n)
+      throw InputError("{}: arm, robot, absolute and squared do not hold equally many digits", path.string());
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto at = static_cast<std::ptrdiff_t>(i * 784);
+      pairs.push_back({{arm.begin() + at, arm.begin() + at + 784},
+                       {robot.begin() + at, robot.begin() + at + 784},
+                       absolute[i],
+                       squared[i]});
+    }
+  }
+  std::ranges::stable_sort(pairs, {}, &Pair::absolute);
+  return pairs;
+}
+
+// "nao_transfer", "_transfer" -> "NAO"
+std::string robot_of(const std::string& stage, const std::string& suffix) {
+  return robot_title(stage.substr(0, stage.size() - suffix.size()));
+}
+
+constexpr int kColumns = 8, kRows = 3;
+
+// At even ranks from the most to the least alike.
+std::vector<Pair> at_even_ranks(const std::vector<Pair>& pairs) {
+  const std::size_t n = std::min<std::size_t>(pairs.size(), kColumns * kRows);
+  std::vector<Pair> some;
+  for (std::size_t k = 0; k < n; ++k) some.push_back(pairs[n == 1 ? 0 : k * (pairs.size() - 1) / (n - 1)]);
+  return some;
+}
+
+// From the least alike on.
+std::vector<Pair> worst(const std::vector<Pair>& pairs) {
+  const std::size_t n = std::min<std::size_t>(pairs.size(), kColumns * kRows);
+  return {pairs.rbegin(), pairs.rbegin() + static_cast<std::ptrdiff_t>(n)};
+}
+
+// The arm's digit above the robot's, their difference below.
+Panel pairs_panel(const std::string& title, const std::vector<Pair>& pairs, const std::string& robot) {
+  constexpr int kPixels = 84;
+  constexpr double kWidth = 500, kEdge = 68, kCell = (kWidth - kEdge) / kColumns, kRow = 2 * kCell + 24;
+  std::string body;
+  for (int row = 0; row < kRows && static_cast<std::size_t>(row * kColumns) < pairs.size(); ++row) {
+    InkSheet sheet(kColumns * kPixels, 2 * kPixels);
+    const double top = row * kRow;
+    for (int column = 0; column < kColumns; ++column) {
+      const auto k = static_cast<std::size_t>(row * kColumns + column);
+      if (k >= pairs.size()) break;
+      const Pair& pair = pairs[k];
+      sheet.place(pair.arm, (column + 0.5) * kPixels, 0.5 * kPixels, kPixels);
+      sheet.place(pair.robot, (column + 0.5) * kPixels, 1.5 * kPixels, kPixels);
+      body += svg_text(format_quantity(100.0 * pair.absolute, "%"), kEdge + (column + 0.5) * kCell,
+                       top + 2 * kCell + 11, 11, Colour::grey, Align::centre);
+    }
+    body += sheet.svg_image(kEdge, top, kColumns * kCell, 2 * kCell);
+    body += svg_text("arm", 0, top + 0.5 * kCell + 4, 13, Colour::blue, Align::left);
+    body += svg_text(robot, 0, top + 1.5 * kCell + 4, 13, Colour::vermilion, Align::left);
+  }
+  return {title, {kWidth, kRows * kRow, body}, 3};
+}
+
+// What a digit's image shows decides how much of it can differ.
+std::string framing_words(const std::filesystem::path& path) {
+  const std::string framing = Hdf5Reader(path).text_attribute("framing");
+  if (framing == "box") return "With the digit’s own box filling the image";
+  if (framing == "workspace") return "With the whole drawing area in the image";
+  throw InputError("{}: attribute framing is '{}', expected box or workspace", path.string(), framing);
+}
+
+// " NAO 2.14 % [0.28; 5.60] (13 % outliers above);"
+std::string measured_difference(const StatisticsView& statistics, const std::string& name,
+                                const std::string& robot) {
+  const auto box = statistics.box(name);
+  if (!box) return "";
+  return fmt::format(" {} {:.2f} % [{:.2f}; {:.2f}] ({:.1f} % of {} images beyond);", escape_html(robot),
+                     box->all.median, box->low, box->high,
+                     100 * static_cast<double>(box->above) / static_cast<double>(box->all.n), box->all.n);
+}
+
+}  // namespace
+
+Figure substitution_figure(const Evidence& evidence) {
+  Figure figure{.id = "substitution", .title = "Another layer 1 under the same arcs (the paper’s Fig. 4a)."};
+  figure.caption =
+      "Every arc of layer 3 executed over the original layer 1 and over one evolved to use two joints. "
+      "M<sub>1</sub>: regularity of the arc, M<sub>2</sub>: the original layer’s fitness, M<sub>3</sub>: the "
+      "new "
+      "one’s. All elites of all replications; whiskers: within 1.5 interquartile ranges; p: rank-sum test of "
+      "the "
+      "replications’ medians; larger is better.";
+  static constexpr std::pair<const char*, const char*> kMetrics[] = {
+      {"m1", "M₁: quality of the arcs"}, {"m2", "M₂: joints alike"}, {"m3", "M₃: two joints move"}};
+  for (const auto& [metric, title] : kMetrics) {
+    const std::string name = std::string("substitution.") + metric;
+    for (Panel& panel :
+         pooled_box_panel(evidence.statistics, {name + ".original", name + ".substitute"},
+                          {.title = title, .unit = "fitness", .figure = figure.id}, figure.table))
+      figure.panels.push_back(std::move(panel));
+  }
+  if (figure.panels.empty()) figure.absent = "This run did not exchange layer 1.";
+  return figure;
+}
+
+Figure transfer_figure(const Evidence& evidence) {
+  Figure figure{.id = "transfer", .title = "The same digits by another robot (the paper’s Fig. 4b)."};
+  const auto stages = evidence.artifacts.stages("", kTransferred);
+  if (stages.empty()) {
+    figure.absent = "This run has no other robot that draws the digits.";
+    return figure;
+  }
+  std::string names, measured, framing;
+  for (const std::string& stage : stages) {
+    const std::string robot = robot_of(stage, kTransferred);
+    const std::vector<Pair> pairs = read_pairs(evidence.artifacts.replications(stage));
+    if (pairs.empty()) throw InputError("{} holds no digit", stage);
+    const std::string name = "transfer." + stage.substr(0, stage.size() - kTransferred.size()) + ".";
+    const auto boxes = [&](const std::vector<std::string>& measures, const BoxOptions& options) {
+      std::vector<std::string> quantities;
+      for (const std::string& measure : measures) quantities.push_back(name + measure);
+      for (Panel& panel : pooled_box_panel(evidence.statistics, quantities, options, figure.table))
+        figure.panels.push_back(std::move(panel));
+    };
+    figure.panels.push_back(
+        pairs_panel(robot + ": from the most to the least alike", at_even_ranks(pairs), robot));
+    boxes({"absolute", "squared"}, {.title = "Difference per pixel, arm against " + robot,
+                                    .unit = "% of white against black",
+                                    .figure = figure.id,
+                                    .from_zero = true,
+                                    .brackets = false,
+                                    .span = 3});
+    figure.panels.push_back(pairs_panel(robot + ": the least alike", worst(pairs), robot));
+    boxes({"line_end", "line_displacement", "arc_end", "arc_centre", "arc_length"},
+          {.title = "Lines and arcs, arm against " + robot,
+           .unit = "mm of the arm",
+           .figure = figure.id,
+           .from_zero = true,
+           .scale = 1000,
+           .brackets = false,
+           .span = 3});
+    names += (names.empty() ? "" : ", ") + robot;
+    measured += measured_difference(evidence.statistics, name + "absolute", robot);
+    framing = framing_words(evidence.artifacts.replications(stage).front());
+  }
+  figure.caption = fmt::format(
+      "Layers 2 to 4 of the arm over the first layer of {}. Digits: at even ranks of the mean absolute "
+      "difference per pixel, which stands below each pair, and those with the greatest; that difference, "
+      "absolute and squared, over all digits of all replications. Lines and arcs, executed by both from "
+      "common starts: the distance between their end points, between what a line displaces the pen by, "
+      "between the centres of an arc, and the difference of its lengths. Whiskers: within 1.5 "
+      "interquartile ranges. {}, the absolute difference is, in the median [least; greatest without "
+      "outliers]:{} the paper, which does not say what its images show: 0.92 % [0.10; 2.11].",
+      escape_html(names), framing, measured);
+  return figure;
+}
+
+Figure posture_figure(const Evidence& evidence) {
+  Figure figure{.id = "posture", .title = "Robots that draw a digit."};
+  const std::string suffix = "_picture";
+  const auto pictures = evidence.artifacts.ending(suffix);
+  if (pictures.empty()) {
+    figure.absent = "This run made no picture of a robot.";
+    return figure;
+  }
+  for (const std::string& picture : pictures) {
+    const std::string robot = robot_of(picture, suffix);
+    const std::filesystem::path folder = evidence.artifacts.path(picture);
+    figure.panels.push_back({robot, picture_file(folder / "posture.png", 400), 2});
+    figure.panels.push_back({robot + ", along the stroke", picture_file(folder / "strip.png", 900), 4});
+  }
+  figure.caption =
+      "Left: the posture at the end of the stroke, seen through the board, so that the digit is mirrored. "
+      "Right: poses along the stroke, seen over the shoulder.";
+  return figure;
+}
+
+}  // namespace hbr

@@ -1,0 +1,154 @@
+// Fine-tuning: what lines, arcs and digits gain when their layers evolve on over another robot.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/artifact/hdf5_file.h"
+#include "pipeline/core/check.h"
+#include "reports/figures/contender.h"
+#include "reports/figures/figures.h"
+#include "reports/figures/gallery.h"
+#include "reports/figures/panels.h"
+#include "reports/text/format.h"
+#include "reports/text/html.h"
+
+namespace hbr {
+namespace {
+
+const std::string kTuned = "_tuned";
+constexpr std::size_t kPixels = 784;
+
+// The states of a robot's layers, as files and statistics call them.
+constexpr std::array kStates{"before", "top", "all"};
+
+// An arm's digit, and for each state the robot's that is nearest to its place in the latent space.
+struct Digit {
+  std::vector<std::uint8_t> arm;
+  std::array<std::vector<std::uint8_t>, kStates.size()> robot;
+  float difference;  // of arm and before
+};
+
+std::vector<std::uint8_t> image(const std::filesystem::path& path, const std::vector<std::uint8_t>& images,
+                                std::size_t i) {
+  if ((i + 1) * kPixels > images.size())
+    throw InputError("{}: digit {} is not among {}", path.string(), i, images.size() / kPixels);
+  const auto at = images.begin() + static_cast<std::ptrdiff_t>(i * kPixels);
+  return {at, at + kPixels};
+}
+
+// Those that differed most first.
+std::vector<Digit> read_digits(const std::vector<std::filesystem::path>& files) {
+  std::vector<Digit> digits;
+  for (const auto& path : files) {
+    const Hdf5Reader file(path);
+    const std::size_t first = digits.size();
+    const auto arm = file.read<std::uint8_t>("arm/image").values;
+    for (const float difference : file.read<float>("before/absolute").values)
+      digits.push_back({image(path, arm, digits.size() - first), {}, difference});
+    for (std::size_t s = 0; s < kStates.size(); ++s) {
+      const std::string state = kStates[s];
+      const auto images = file.read<std::uint8_t>(state + "/image").values;
+      const auto nearest = file.read<std::int32_t>(state + "/nearest").values;
+      if (nearest.size() != digits.size() - first)
+        throw InputError("{}: {}/nearest and before/absolute differ in length", path.string(), state);
+      for (std::size_t i = 0; i < nearest.size(); ++i)
+        digits[first + i].robot[s] = image(path, images, static_cast<std::size_t>(nearest[i]));
+    }
+  }
+  std::ranges::stable_sort(digits, std::greater<>(), &Digit::difference);
+  return digits;
+}
+
+Panel worst_panel(const std::string& robot, const std::vector<Digit>& digits) {
+  std::vector<GalleryRow> rows{{"arm", Colour::blue}};
+  for (const char* state : kStates) rows.push_back({contender(state).label, contender(state).colour});
+  for (std::size_t k = 0; k < std::min(kGalleryColumns, digits.size()); ++k) {
+    rows[0].images.push_back(digits[k].arm);
+    for (std::size_t s = 0; s < kStates.size(); ++s) rows[s + 1].images.push_back(digits[k].robot[s]);
+  }
+  return gallery_panel(robot + ": places where it differed most", rows);
+}
+
+}  // namespace
+
+Figure tuned_figure(const Evidence& evidence) {
+  Figure figure{.id = "tuned", .title = "Fine-tuning: the arm’s layers evolve on over the robot."};
+  std::string gains;
+  for (const std::string& stage : evidence.artifacts.stages("", kTuned)) {
+    const std::string id = stage.substr(0, stage.size() - kTuned.size()), robot = robot_title(id),
+                      name = "tuned." + id + ".", arm = "tuned.arm.";
+    if (id == "arm") continue;  // the control, beside each robot
+    figure.panels.push_back(worst_panel(robot, read_digits(evidence.artifacts.replications(stage))));
+    const auto options = [&](const std::string& title, const char* unit, double scale, int span) {
+      return BoxOptions{.title = robot + ": " + title,
+                        .unit = unit,
+                        .figure = figure.id,
+                        .from_zero = scale == 1000,
+                        .scale = scale,
+                        .span = span};
+    };
+    const auto add = [&](std::vector<Panel> panels) {
+      for (Panel& panel : panels) figure.panels.push_back(std::move(panel));
+    };
+    const auto of_digits = [&](const std::string& measure) {
+      return std::vector<std::string>{arm + "before." + measure, name + "before." + measure,
+                                      name + "top." + measure, name + "all." + measure};
+    };
+    add(pooled_box_panel(
+        evidence.statistics,
+        {arm + "top.difference", name + "before.difference", name + "top.difference",
+         name + "all.difference"},
+        options("difference from the arm’s digit at its place", "% of white against black", 1, 3),
+        figure.table));
+    add(box_panel(evidence.statistics, of_digits("mean"),
+                  options("mean fitness of the digits", "fitness", 1, 2), figure.table));
+    add(box_panel(evidence.statistics, of_digits("good"),
+                  options("share of good digits", "% of the digits", 100, 2), figure.table));
+    add(box_panel(evidence.statistics,
+                  {arm + "top.gain", name + "top.gain", arm + "all.gain", name + "all.gain"},
+                  options("gain, and the arm’s", "fitness", 1, 2), figure.table));
+    add(pooled_box_panel(evidence.statistics,
+                         {arm + "before.arc_fitness", name + "before.arc_fitness", name + "all.arc_fitness"},
+                         options("fitness of arcs, from fresh starts", "fitness", 1, 3), figure.table));
+    for (const auto& [measure, title] :
+         {std::pair<std::string, const char*>{"line", "lines, from what was asked"},
+          {"arc_centre", "centres of arcs, from what was asked"},
+          {"arc_length", "lengths of arcs, from what was asked"}})
+      add(pooled_box_panel(evidence.statistics,
+                           {arm + "before." + measure, name + "before." + measure, name + "all." + measure},
+                           options(title, "mm of the arm", 1000, 3), figure.table));
+    const auto gain = evidence.statistics.quantity(name + "top.gain"),
+               control = evidence.statistics.quantity(arm + "top.gain");
+    if (!gain.empty() && !control.empty())
+      gains += fmt::format(" {}: layer 4 alone gains {} where the arm’s gains {} (medians).",
+                           escape_html(robot), format_number(summarise(gain, "gain").median),
+                           format_number(summarise(control, "gain").median));
+  }
+  if (figure.panels.empty()) {
+    figure.absent = "This run fine-tuned no digits.";
+    return figure;
+  }
+  figure.caption =
+      "The arm’s layers go on for some generations with the robot in the arm’s place. Arm: the arm’s layers "
+      "on "
+      "the arm; before: the same by the robot; layer 4: the digits evolved on over the arm’s lines and arcs; "
+      "all: "
+      "lines, arcs and digits evolved on, each over the one below. The arm with one of these: the control, "
+      "the "
+      "arm’s own layers evolved on for as long. Places are those of the arm’s digits in the latent space: at "
+      "each "
+      "stands the digit that is nearest, and how much its pixels differ from the arm’s; before, that is the "
+      "same "
+      "genome as a rule. Fitness is minus the network’s error, the mean of a repertoire; good is what the "
+      "judge "
+      "says; a gain is the mean fitness above that before. Lines and arcs are asked for beside the places "
+      "that the "
+      "arm’s repertoires hold; what is left on the arm is how far one execution is from the median of many "
+      "that "
+      "a descriptor is. p: rank-sum test over the replications." +
+      gains;
+  return figure;
+}
+
+}  // namespace hbr

@@ -1,0 +1,228 @@
+#include "reports/kept/kept_run.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <vector>
+
+#include "pipeline/artifact/freshness.h"
+#include "pipeline/artifact/json_file.h"
+#include "pipeline/core/check.h"
+#include "pipeline/statistics/statistics_file.h"
+#include "reports/kept/lineage.h"
+
+namespace hbr {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kStatistics = "statistics.json";
+constexpr std::size_t kDigits = 16;  // of a hash: enough to tell a thousand artifacts apart
+
+constexpr const char* kHead = "artifact,sha256,settings";
+
+bool is_short_hash(const std::string& text) {
+  return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::map<std::string, KeptArtifact> read_artifacts(const fs::path& file) {
+  std::istringstream lines(read_whole(file));
+  std::string line;
+  if (!std::getline(lines, line) || line != kHead)
+    throw InputError("{}: expected '{}' as its first line, found '{}'", file.string(), kHead, line);
+  std::map<std::string, KeptArtifact> artifacts;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string name;
+    KeptArtifact artifact;
+    std::getline(fields, name, ',');
+    std::getline(fields, artifact.bytes, ',');
+    std::getline(fields, artifact.settings);
+    if (name.empty() || !is_short_hash(artifact.bytes) || !is_short_hash(artifact.settings) ||
+        !artifacts.emplace(name, artifact).second)
+      throw InputError("{}: expected lines of {}, each artifact once and {} digits of each hash, found '{}'",
+                       file.string(), kHead, kDigits, line);
+  }
+  return artifacts;
+}
+
+std::string short_hash(const std::string& hash) { return hash.substr(0, kDigits); }
+
+Node node_at(const std::string& output) {
+  Node node;
+  node.output = output;
+  return node;
+}
+
+// Of claims.json what is kept.
+struct KeptClaim {
+  std::string id, paper, ours, verdict, indication;
+};
+template <class Fields>
+void describe(Fields& f, KeptClaim& c) {
+  f.text("id", c.id, "unique");
+  f.text("paper", c.paper, "the paper's figures");
+  f.text("ours", c.ours, "this run's figures");
+  f.text("verdict", c.verdict, "what became of it");
+  f.text("indication", c.indication, "what it would be without regard to size");
+}
+struct KeptClaims {
+  std::vector<KeptClaim> claims;
+};
+template <class Fields>
+void describe(Fields& f, KeptClaims& c) {
+  f.tables("claims", c.claims, "the paper's claims");
+}
+
+struct Origin {
+  std::string profile;
+  std::map<std::string, std::string> toolchain;
+  std::vector<std::string> versions;
+};
+template <class Fields>
+void describe(Fields& f, Origin& o) {
+  f.text("profile", o.profile, "its name");
+  f.named_texts("toolchain", o.toolchain, "as in toolchain.h, or null where it was more than one");
+  f.texts("versions", o.versions, "of the repository");
+}
+
+void check_claims(const json& claims, const fs::path& file) {
+  settings_from_json<KeptClaims>(json{{"claims", claims}}, file.string());
+}
+
+// Of each claim what is kept; missing keys are left for the check.
+json kept_of(const json& claims) {
+  json kept = json::array();
+  for (const json& claim : claims) {
+    kept.push_back(json::object());
+    for (const char* key : {"id", "paper", "ours", "verdict", "indication"})
+      if (claim.is_object() && claim.contains(key)) kept.back()[key] = claim[key];
+  }
+  return kept;
+}
+
+// Throws InputError where the artifact is not what its manifest says.
+void check_artifact(const fs::path& out, const std::string& output) {
+  const Found found = look_at({out, {}, {}}, node_at(output), Compare::by_sign);
+  if (found.state != State::fresh)
+    throw InputError("{}: {}; `make all` of the profile makes it again", (out / output).string(), found.why);
+}
+
+json without_curves(json statistics) {
+  statistics.erase("curves");
+  return statistics;
+}
+
+void note_toolchain(KeptRun& run, const Manifest& manifest, bool& first) {
+  json own;
+  for (const char* key : {"compiler", "flags", "architecture", "processor", "libraries"})
+    if (manifest.run.contains(key)) own[key] = manifest.run[key];
+  if (first)
+    run.toolchain = own;
+  else if (run.toolchain != own)
+    run.toolchain = nullptr;
+  first = false;
+  run.versions.insert(manifest.run.value("version", "unknown"));
+}
+
+// A table of tables, the inner ones a line each.
+std::string in_lines(const json& tables) {
+  std::string text = "{";
+  for (const auto& [name, table] : tables.items()) {
+    text += fmt::format("{}\n{}: ", text.size() > 1 ? "," : "", json(name).dump());
+    if (!table.is_object()) {
+      text += table.dump();
+      continue;
+    }
+    std::string lines;
+    for (const auto& [key, value] : table.items())
+      lines += fmt::format("{}\n {}: {}", lines.empty() ? "" : ",", json(key).dump(), value.dump());
+    text += "{" + lines + "\n}";
+  }
+  return text + "\n}\n";
+}
+
+std::string list_in_lines(const json& list) {
+  std::string text;
+  for (const json& each : list) text += (text.empty() ? "[\n " : ",\n ") + each.dump();
+  return text.empty() ? "[]\n" : text + "\n]\n";
+}
+
+}  // namespace
+
+KeptRun read_run(const fs::path& out) {
+  if (!fs::exists(out / "page.json"))
+    throw InputError("{} holds no finished run: its report is missing; `make all` of the profile makes it",
+                     out.string());
+  KeptRun run;
+  bool first = true;
+  const std::map<std::string, Manifest> manifests = lineage(out, "page");
+  for (const auto& [output, manifest] : manifests) {
+    check_artifact(out, output);
+    note_toolchain(run, manifest, first);
+    if (output.ends_with(kStatistics))
+      run.statistics[manifest.slice.variation] = without_curves(read_statistics(out / output));
+    else if (output != "page")
+      run.artifacts[output] = {short_hash(manifest.content.sha256),
+                               short_hash(sha256_of_text(manifest.slice.settings.dump()))};
+    // Everything that it was made from is what stands there now.
+    for (const auto& [name, input] : manifest.slice.inputs)
+      if (manifest.made_from.inputs.at(name) != manifests.at(input).content.sha256)
+        throw InputError("{} was made from another {} than is there now; `make all` of the profile mends it",
+                         (out / output).string(), input);
+  }
+  if (!run.statistics.contains(""))
+    throw InputError(
+        "{}: its report was made from no statistics.json; `make all` of the profile makes it again",
+        out.string());
+  run.claims = kept_of(read_json(out / "page/claims.json"));
+  check_claims(run.claims, out / "page/claims.json");
+  run.profile = run.statistics.at("").at("profile");
+  return run;
+}
+
+void write_kept(const KeptRun& run, const fs::path& folder) {
+  fs::create_directories(folder);
+  for (const auto& entry : fs::directory_iterator(folder))  // of variations that are no more
+    if (entry.path().filename().string().ends_with(kStatistics)) fs::remove(entry.path());
+  write_file(
+      folder / "origin.json",
+      json{{"profile", run.profile}, {"toolchain", run.toolchain}, {"versions", run.versions}}.dump(1) +
+          "\n");
+  for (const auto& [variation, statistics] : run.statistics)
+    write_file(folder / ((variation.empty() ? "" : variation + ".") + kStatistics), in_lines(statistics));
+  write_file(folder / "claims.json", list_in_lines(run.claims));
+  std::string artifacts = std::string(kHead) + "\n";
+  for (const auto& [name, artifact] : run.artifacts)
+    artifacts += fmt::format("{},{},{}\n", name, artifact.bytes, artifact.settings);
+  write_file(folder / "artifacts.csv", artifacts);
+}
+
+KeptRun read_kept(const fs::path& folder) {
+  if (!fs::exists(folder / "origin.json"))
+    throw InputError("{}: there is no reference; `make reference` keeps one of a finished run",
+                     folder.string());
+  KeptRun run;
+  json origin = read_json(folder / "origin.json");
+  if (origin.is_object() && origin.contains("toolchain")) run.toolchain = origin["toolchain"];
+  if (run.toolchain.is_null() && origin.is_object()) origin["toolchain"] = json::object();
+  const auto known = settings_from_json<Origin>(origin, (folder / "origin.json").string());
+  run.profile = known.profile;
+  run.versions = {known.versions.begin(), known.versions.end()};
+  run.claims = read_json(folder / "claims.json");
+  check_claims(run.claims, folder / "claims.json");
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(kStatistics)) continue;
+    const std::string head = name.substr(0, name.size() - std::string(kStatistics).size());
+    run.statistics[head.substr(0, head.size() - !head.empty())] = read_statistics(entry.path());
+  }
+  if (!run.statistics.contains(""))
+    throw InputError("{}: missing; `make reference` keeps it of a finished run",
+                     (folder / kStatistics).string());
+  run.artifacts = read_artifacts(folder / "artifacts.csv");
+  return run;
+}
+
+}  // namespace hbr

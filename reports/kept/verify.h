@@ -1,0 +1,31 @@
+// Whether a run is what a reference run was.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/kept/kept_run.h"
+
+namespace hbr {
+
+struct Verification {
+  std::vector<std::string> differences;  // one line each
+  std::vector<std::string> notes;        // what could not be compared, or needs a word
+  std::string summary;
+};
+
+// Made by one and the same toolchain the two must agree bit for bit: artifacts, every value of every
+// replication that both have, every number, every verdict.
+//
+// Otherwise within intervals: what is counted by the settings (evaluations, generations, genes, ...) must be
+// equal; of every other quantity the two samples must pass the rank-sum test at 1 % shared among all that are
+// tested so (Bonferroni), or, where so few replications can't fail it, the run's median must lie within 1.5
+// interquartile ranges of the reference's quartiles (Tukey's fences); numbers that were measured once must be
+// within 10 %, those that are shares within 0.02 (2 points). Verdicts follow from these: another one is a
+// note.
+//
+// A quantity that only one of them has is a note where the other has none of its kind (the digits of a run
+// without digits), a difference where a single one is missing from the run.
+Verification verify(const KeptRun& reference, const KeptRun& run);
+
+}  // namespace hbr

@@ -1,0 +1,141 @@
+#include "reports/page/provenance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "pipeline/artifact/content.h"
+#include "pipeline/artifact/progress.h"
+#include "pipeline/core/check.h"
+#include "reports/kept/lineage.h"
+#include "reports/plot/colour.h"
+#include "reports/plot/external.h"
+#include "reports/plot/figure.h"
+#include "reports/plot/svg.h"
+#include "reports/text/format.h"
+#include "reports/text/html.h"
+
+namespace hbr {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kMark = "<!-- provenance -->";
+
+struct StageFacts {
+  int artifacts = 0;
+  double seconds = 0, cpu_seconds = 0, memory = 0;
+  std::set<std::string> needs;  // stages
+};
+
+struct Facts {
+  std::map<std::string, StageFacts> stages;
+  std::map<std::string, StageFacts> variations;        // all stages of each together
+  std::map<std::string, std::set<std::string>> words;  // "version", "compiler", ... -> what occurs
+};
+
+Facts read_facts(const fs::path& out) {
+  const std::map<std::string, Manifest> manifests = lineage(out, "page");
+  Facts facts;
+  for (const auto& [output, manifest] : manifests) {
+    const Slice& slice = manifest.slice;
+    StageFacts& stage =
+        slice.variation.empty() ? facts.stages[slice.stage] : facts.variations[slice.variation];
+    ++stage.artifacts;
+    stage.seconds += manifest.run.value("seconds", 0.0);
+    stage.cpu_seconds += manifest.run.value("cpu_seconds", 0.0);
+    stage.memory = std::max(stage.memory, manifest.run.value("peak_memory_bytes", 0.0));
+    for (const char* word : {"version", "compiler", "architecture", "host"})
+      facts.words[word].insert(manifest.run.value(word, "unknown"));
+    if (slice.variation.empty())
+      for (const auto& [name, input] : slice.inputs) stage.needs.insert(manifests.at(input).slice.stage);
+  }
+  return facts;
+}
+
+// Stages that take in everything (statistics, report) would hide all other arrows; theirs are left out.
+std::string graph_html(const Facts& facts) {
+  std::string dot = fmt::format(
+      "digraph {{ rankdir=LR; bgcolor=transparent; nodesep=0.15; ranksep=0.35;\n"
+      "node [shape=box, style=rounded, fontname=\"sans-serif\", fontsize=11, height=0.3, color=\"{0}\", "
+      "fontcolor=\"{1}\"];\nedge [color=\"{0}\", arrowsize=0.6];\n",
+      hex(Colour::grey), hex(Colour::ink));
+  for (const auto& [name, stage] : facts.stages) {
+    dot += fmt::format("\"{}\";\n", name);
+    const bool takes_all = stage.needs.size() > 8;
+    for (const std::string& need : stage.needs)
+      if (!takes_all || need == "statistics") dot += fmt::format("\"{}\" -> \"{}\";\n", need, name);
+  }
+  const Drawing drawing = parse_svg(run_program({"dot", "-Tsvg"}, dot + "}\n"), "stages");
+  return "<div class=\"scroll graph\">" + inline_svg(drawing, "The stages and what they hand on") +
+         "</div>\n";
+}
+
+// Then there is nothing to write, which a folder that can only be read would refuse.
+bool is_published(const fs::path& page, const std::string& html, const fs::path& report) {
+  try {
+    std::map<std::string, std::string> files = content_of(page).files;
+    files["index.html"] = sha256_of_text(html);
+    return fs::is_directory(report) && content_of(report).files == files;
+  } catch (const InputError&) {
+    return false;  // writing it anew mends it, or says what is wrong
+  }
+}
+
+}  // namespace
+
+std::string provenance_html(const fs::path& out) {
+  const Facts facts = read_facts(out);
+  std::string html = "<dl>\n", rows;
+  for (const auto& [word, texts] : facts.words) {
+    std::string all;
+    for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + escape_html(text);
+    html += fmt::format("<dt>{}</dt><dd><code>{}</code></dd>\n", word, all);
+  }
+  double longest = 1e-9, total = 0, total_cpu = 0;
+  std::vector<std::pair<std::string, StageFacts>> shown(facts.stages.begin(), facts.stages.end());
+  for (const auto& [name, variation] : facts.variations) shown.emplace_back("variation " + name, variation);
+  for (const auto& [name, stage] : shown) {
+    longest = std::max(longest, stage.seconds);
+    total += stage.seconds;
+    total_cpu += stage.cpu_seconds;
+  }
+  for (const auto& [name, stage] : shown)
+    rows += fmt::format(
+        "<tr><td><code>{}</code></td><td>{}</td><td>{} <span class=\"bar\" "
+        "style=\"width:{:.1f}rem\"></span></td>"
+        "<td>{}</td><td>{} MB</td></tr>\n",
+        escape_html(name), stage.artifacts, duration_text(stage.seconds), 8 * stage.seconds / longest,
+        duration_text(stage.cpu_seconds), format_number(std::round(stage.memory / 1e6)));
+  return html +
+         fmt::format(
+             "<dt>time</dt><dd>{} of all stages one after the other, {} of processors</dd></dl>\n<div "
+             "class=\"scroll\"><table><thead><tr><th>Stage</th><th>Artifacts</th><th>Time</th><th>Processor "
+             "time</th><th>Most memory</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
+             duration_text(total), duration_text(total_cpu), rows) +
+         graph_html(facts);
+}
+
+void publish_report(const fs::path& page, const fs::path& out, const fs::path& report) {
+  std::string html = read_whole(page / "index.html");
+  const std::size_t mark = html.find(kMark);
+  if (mark == std::string::npos)
+    throw InputError("{} has no place for the provenance; was it made by the report stage?",
+                     (page / "index.html").string());
+  html.replace(mark, std::string(kMark).size(), provenance_html(out));
+  if (is_published(page, html, report)) return;
+
+  const fs::path copy = report.string() + ".new", old = report.string() + ".old";
+  fs::remove_all(copy);
+  fs::remove_all(old);
+  fs::copy(page, copy, fs::copy_options::recursive);
+  write_file(copy / "index.html", html);
+  if (fs::exists(report)) fs::rename(report, old);
+  fs::rename(copy, report);
+  fs::remove_all(old);
+}
+
+}  // namespace hbr

@@ -1,0 +1,76 @@
+#include "reports/page/report.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/artifact/content.h"
+#include "pipeline/core/check.h"
+#include "reports/claims/ledger.h"
+#include "reports/claims/verdicts.h"
+#include "reports/figures/figures.h"
+#include "reports/kept/speed.h"
+#include "reports/page/assets.h"
+#include "reports/text/html.h"
+#include "reports/text/template.h"
+
+namespace hbr {
+namespace {
+
+std::string hero(const Artifacts& artifacts) {
+  const std::string picture = hero_picture(artifacts, 3);
+  if (picture.empty()) return "<p class=\"absent\">This run drew no digits.</p>";
+  return "<div class=\"hero\">" + picture +
+         "<p>Drawn by the arm’s hierarchy: for each class the three digits that the judge is surest of, over "
+         "all "
+         "replications; an empty place is a digit the run did not find.</p></div>";
+}
+
+// What the run is made of, stage by stage.
+std::string inventory(const ReportContent& content) {
+  std::string rows;
+  for (const std::string& stage : content.artifacts.stages(""))
+    rows += fmt::format("<tr><td><code>{}</code></td><td>{}</td></tr>\n", escape_html(stage),
+                        content.artifacts.replications(stage).size());
+  return fmt::format(
+      "<p>Profile <b>{}</b>. What stands above is a function of the profile, the data and the programs "
+      "alone; the "
+      "same three give the same bytes.</p>\n<details><summary>Stages and their replications</summary><div "
+      "class=\"scroll\"><table><thead><tr><th>Stage</th><th>Replications</th></tr></thead><tbody>{}</tbody></"
+      "table>"
+      "</div></details>\n",
+      escape_html(content.profile), rows);
+}
+
+}  // namespace
+
+void write_report(const ReportContent& content, const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder / "figures", error);
+  if (error) throw InputError("cannot make {}: {}", (folder / "figures").string(), error.message());
+
+  const nlohmann::json sensitivity = sensitivity_table(content.claims, content.variations);
+  TemplateContent page;
+  page.statistics = content.statistics;
+  page.values = {
+      {"profile", escape_html(content.profile)},
+      {"css", kPageCss},
+      {"js", kPageJs},
+      {"summary", verdict_tiles(content.claims)},
+      {"claims", claims_table(content.claims)},
+      {"sensitivity", sensitivity_html(sensitivity)},
+      {"sensitivity_link", content.variations.empty() ? "" : "<a href=\"#sensitivity\">Sensitivity</a> "},
+      {"readings", ledger_html(content.readings)},
+      {"speed", speed_html(content.speed)},
+      {"provenance", inventory(content)},
+      {"hero", hero(content.artifacts)}};
+  for (const Figure& figure : all_figures({content.artifacts, StatisticsView(content.statistics)})) {
+    write_figure(figure, folder / "figures");
+    page.figures[figure.id] = figure_html(figure);
+  }
+  write_file(folder / "index.html", fill_template(kPageHtml, page));
+  write_file(folder / "statistics.json", content.statistics.dump(1) + "\n");
+  write_file(folder / "claims.json", content.claims.dump(1) + "\n");
+  if (!content.speed.is_null()) write_file(folder / "speed.json", content.speed.dump(1) + "\n");
+  if (!content.variations.empty()) write_file(folder / "sensitivity.json", sensitivity.dump(1) + "\n");
+}
+
+}  // namespace hbr

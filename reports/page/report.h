@@ -1,0 +1,28 @@
+// The report: a folder that a browser opens without a network.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "reports/claims/sensitivity.h"
+#include "reports/figures/artifacts.h"
+
+namespace hbr {
+
+struct ReportContent {
+  std::string profile;
+  Artifacts artifacts;
+  nlohmann::json statistics;  // statistics.json
+  nlohmann::json claims;      // as evaluate_claims leaves them
+  nlohmann::json readings;    // array of {id, title, paper, reading, alternatives, effect}
+  std::vector<VariationClaims> variations = {};
+  nlohmann::json speed = {};  // as condense_speed leaves it, or null where nobody measured
+};
+
+// Makes `folder` with index.html (self-contained), statistics.json, claims.json, speed.json where there are
+// benchmarks, sensitivity.json where there are variations, and figures/ID.{svg,pdf,csv}.
+// The same content gives the same bytes: no time, host or path is written.
+void write_report(const ReportContent& content, const std::filesystem::path& folder);
+
+}  // namespace hbr

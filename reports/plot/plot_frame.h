@@ -1,0 +1,31 @@
+// What the kinds of plot share: the gnuplot script's head, the axis's range and its unit.
+#pragma once
+
+#include <string>
+
+#include "reports/plot/svg.h"
+
+namespace hbr {
+
+inline constexpr double kPlotHeight = 280;
+
+// The range of an axis and the power of ten that is taken out of its numbers: 2.7e-4 m² is 2.7 at 10⁻⁴ m².
+struct Axis {
+  double low = 0, high = 1;  // in shown numbers
+  double scale = 1;          // shown number = value x scale
+  std::string unit;          // "10⁻⁴ m²"
+};
+
+// Holds [low, high] (values) with a little air; a single value gets a range around it.
+Axis make_axis(double low, double high, const std::string& unit, bool from_zero);
+
+// A text for gnuplot, quoted.
+std::string gnuplot_quoted(const std::string& text);
+
+// Terminal of that width, margins (right: units left free for labels), border, grid, the unit above the axis.
+std::string plot_head(double width, const std::string& unit, double right_margin, double bottom_margin);
+
+// Runs a script through gnuplot.
+Drawing run_gnuplot(const std::string& script, const std::string& prefix);
+
+}  // namespace hbr

@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "models/robot/plane/plane_file.h"
+#include "models/robot/plane/refine_plane.h"
+#include "models/robot/plane/robot_on_plane.h"
+#include "pipeline/core/check.h"
+#include "tests/models/robot/body/chains.h"
+
+namespace hbr {
+namespace {
+
+const DrawingPlane kPlane = DrawingPlane::facing({.1, -.2, .3}, -.4, .2, .26);
+
+TEST(DrawingPlane, IsUprightAsTheRobotSeesIt) {
+  // A robot that looks along x with z up has y to its left.
+  const DrawingPlane ahead = DrawingPlane::facing({1, 0, 0}, 0, 0, 2);
+  EXPECT_LT((ahead.to_robot({1, 0}) - Eigen::Vector3d(1, -2, 0)).norm(), 1e-15);
+  EXPECT_LT((ahead.to_robot({0, 1}) - Eigen::Vector3d(1, 0, 2)).norm(), 1e-15);
+  EXPECT_LT((ahead.normal() - Eigen::Vector3d(-1, 0, 0)).norm(), 1e-15);
+  // Whatever the direction: x stays level, y points up, the normal looks back at the robot.
+  EXPECT_NEAR(kPlane.u[2], 0, 1e-15);
+  EXPECT_GT(kPlane.v[2], 0.9);
+  const Eigen::Vector3d looks(std::cos(.2) * std::cos(-.4), std::cos(.2) * std::sin(-.4), std::sin(.2));
+  EXPECT_LT((kPlane.normal() + looks).norm(), 1e-15);
+}
+
+TEST(DrawingPlane, GoesToTheRobotAndBack) {
+  Rng rng(Seed(1).child("plane"));
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector2d p(rng.uniform(-1, 1), rng.uniform(-1, 1));
+    const double off = rng.uniform(-.01f, .01f);
+    const Pen pen = kPlane.to_pen(kPlane.to_robot(p) + off * kPlane.normal());
+    EXPECT_LT((pen.position - p).norm(), 1e-15);
+    EXPECT_NEAR(pen.off_plane, off, 1e-15);
+    // A similarity: lengths grow by the scale.
+    EXPECT_NEAR((kPlane.to_robot(p) - kPlane.to_robot({0, 0})).norm(), .26 * p.norm(), 1e-15);
+  }
+}
+
+TEST(DrawingPlane, SurvivesItsFile) {
+  const TestFolder folder;
+  const auto path = folder.path() / "plane.h5";
+  Hdf5Writer file(path);
+  EXPECT_EQ(write_plane(file, kPlane, {{0, 1}, {2, 3}}, {1e-4, 1e-2}, 1e-3), 0.5);
+  file.close();
+  const DrawingPlane back = load_plane(path);
+  EXPECT_EQ(back.origin, kPlane.origin);
+  EXPECT_EQ(back.u, kPlane.u);
+  EXPECT_EQ(back.v, kPlane.v);
+  EXPECT_EQ(back.scale, kPlane.scale);
+  EXPECT_THAT(Hdf5Reader(path).read<std::uint8_t>("reached").values, testing::ElementsAre(1, 0));
+}
+
+TEST(DrawingPlane, RefusesAFileWithoutAPlane) {
+  const TestFolder folder;
+  const auto path = folder.path() / "plane.h5";
+  DrawingPlane skew = kPlane;
+  skew.v = (skew.v + .1 * skew.u).normalized();
+  Hdf5Writer file(path);
+  write_plane(file, skew, {}, {}, 1e-3);
+  file.close();
+  EXPECT_THROW(load_plane(path), InputError);
+}
+
+TEST(Reach, DistanceIsTheOneToTheDisc) {
+  const auto body = two_links();
+  const Clearance clearance(*body, body->model().link("tip"));
+  const Reach reach(*body, body->model().link("tip"), clearance, 500, 0, Seed(2));
+  Rng rng(Seed(3).child("reach"));
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector3d target(rng.uniform(-3, 3), rng.uniform(-3, 3), rng.uniform(-1, 1));
+    const double beyond = std::max(0., std::hypot(target[0], target[1]) - 2);
+    const Reach::Nearest nearest = reach.nearest(target, {DrawingPlane::facing(target, 0, 0, 1), 0}, 8, 1e-9);
+    EXPECT_NEAR(nearest.gap.norm(), std::hypot(beyond, target[2]), 2e-4) << target.transpose();
+    EXPECT_LT(
+        (body->position(body->model().link("tip"), nearest.joints.data()) + nearest.gap - target).norm(),
+        1e-12);
+  }
+}
+
+TEST(RobotOnPlane, RefusesWhatDoesNotMoveTheTip) {
+  const auto body = two_links();
+  EXPECT_NO_THROW(RobotOnPlane("two", body, "tip", kPlane));
+  EXPECT_THROW(RobotOnPlane("two", body, "upper", kPlane), InputError);
+  EXPECT_THROW(RobotOnPlane("two", body, "hand", kPlane), InputError);
+}
+
+// A plane that is level with the two links can't be had (it stands upright), so what can be covered is a
+// line.
+TEST(RefinePlane, ComesNearerToTheReach) {
+  const auto body = two_links();
+  const DrawingPlane start = DrawingPlane::facing({.3, .2, .05}, .3, .4, 2.5);
+  const Clearance clearance(*body, body->model().link("tip"));
+  const Reach reach(*body, body->model().link("tip"), clearance, 500, .01, Seed(4));
+  std::vector<Eigen::Vector2d> line;
+  for (int i = -10; i <= 10; ++i) line.push_back({i / 10., 0});
+  const auto worst = [&](const DrawingPlane& plane) {
+    Workers one(1);
+    const auto distances = distances_to_reach({plane, 0}, reach, line, one);
+    return *std::max_element(distances.begin(), distances.end());
+  };
+  Workers one(1), two(2);
+  const DrawingPlane plane = refine_plane({start, 0}, reach, line, one).plane;
+  EXPECT_GT(worst(start), .5);
+  EXPECT_LT(worst(plane), .05);
+  const DrawingPlane again = refine_plane({start, 0}, reach, line, two).plane;
+  EXPECT_EQ(plane.origin, again.origin);
+  EXPECT_EQ(plane.u, again.u);
+  EXPECT_EQ(plane.scale, again.scale);
+}
+
+}  // namespace
+}  // namespace hbr

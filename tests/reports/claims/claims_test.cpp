@@ -1,0 +1,224 @@
+#include "reports/claims/claims.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+
+#include "pipeline/core/check.h"
+#include "pipeline/statistics/collect.h"
+#include "pipeline/statistics/table.h"
+#include "tests/support/synthetic_experiment.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+const std::string kClaims = std::string(HBR_SOURCE_DIR) + "/reports/claims.toml";
+const std::string kSample = std::string(HBR_SOURCE_DIR) + "/tests/reports/fixtures/statistics.json";
+
+// A file with one claim about accuracies; `checks` are lines of TOML.
+std::filesystem::path claim_file(const TemporaryFolder& folder, const std::string& checks,
+                                 const std::string& size = "") {
+  const std::filesystem::path path = folder.path() / "claims.toml";
+  std::ofstream(path) << "[[sizes]]\nname = \"full\"\nneeds = [{ of = \"accuracy.n1\", at_least = 50 }, "
+                         "{ of = \"layer2.n1.generations\", at_least = 10000 }]\n"
+                         "[[claims]]\nid = \"one\"\nplace = \"5.3\"\nstatement = \"so\"\nquote = \"\"\n"
+                         "paper = \"2\"\nsize = \""
+                      << size << "\"\nchecks = [" << checks << "]\n";
+  return path;
+}
+
+std::string check(const std::string& kind, const std::string& of, const std::string& to,
+                  const std::string& reproduced, const std::string& partly,
+                  const std::string& p_below = "1") {
+  return fmt::format(
+      "{{ words = \"w\", kind = \"{}\", of = \"{}\", to = \"{}\", reproduced = {}, partly = {}, "
+      "p_below = {} }},",
+      kind, of, to, reproduced, partly, p_below);
+}
+
+// accuracy.n1 is 10 + r / n, accuracy.n10 4 + r / n, over n replications.
+json accuracies(int n, double generations = 10000) {
+  StatisticsTable table("test");
+  for (int r = 0; r < n; ++r) {
+    table.add("accuracy.n1", r, 10 + r / static_cast<double>(n));
+    table.add("accuracy.n10", r, 4 + r / static_cast<double>(n));
+  }
+  table.number("layer2.n1.generations", generations);
+  return table.json();
+}
+
+json evaluate_one(const std::filesystem::path& path, const json& statistics) {
+  const json claims = evaluate_claims(path, statistics);
+  EXPECT_EQ(claims.size(), 1u);
+  return claims.at(0);
+}
+
+std::string failure(const std::filesystem::path& path) {
+  try {
+    evaluate_claims(path, accuracies(3));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Claims, EveryKindOfCheckByHand) {
+  TemporaryFolder folder;
+  const json statistics = accuracies(5);  // medians 10.4 and 4.4
+  struct Case {
+    std::string kind, to;
+    double x;
+    std::string figure;  // spaces within a number's unit are narrow ones
+  };
+  for (const Case& c :
+       {Case{"value", "", 10.4, "10.4\u202fm²"}, Case{"ratio", "accuracy.n10", 10.4 / 4.4, "2.36 times"},
+        Case{"difference", "accuracy.n10", 6, "6\u202fm²"}, Case{"a12", "accuracy.n10", 1, "A12 1"}}) {
+    const auto verdict = [&](double low, double high, double partly_low, double partly_high) {
+      const json claim = evaluate_one(
+          claim_file(folder, check(c.kind, "accuracy.n1", c.to, fmt::format("[{}, {}]", low, high),
+                                   fmt::format("[{}, {}]", partly_low, partly_high))),
+          statistics);
+      EXPECT_NEAR(claim["checks"][0]["x"].get<double>(), c.x, 1e-12);
+      EXPECT_EQ(claim["checks"][0]["figure"], c.figure);
+      EXPECT_EQ(claim["verdict"], claim["indication"]);
+      return claim["verdict"].get<std::string>();
+    };
+    EXPECT_EQ(verdict(c.x - 0.1, c.x + 0.1, c.x - 1, c.x + 1), "reproduced") << c.kind;
+    EXPECT_EQ(verdict(c.x + 0.1, c.x + 0.2, c.x - 1, c.x + 1), "partly") << c.kind;
+    EXPECT_EQ(verdict(c.x + 0.1, c.x + 0.2, c.x + 0.05, c.x + 1), "not") << c.kind;
+  }
+}
+
+TEST(Claims, SignificanceIsAskedForBesides) {
+  TemporaryFolder folder;
+  const auto file =
+      claim_file(folder, check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "7.1e-18"), "full");
+  const json full = evaluate_one(file, accuracies(50));
+  EXPECT_EQ(full["verdict"], "reproduced");
+  EXPECT_NEAR(full["checks"][0]["p"].get<double>(), 7.066e-18, 1e-21);
+  EXPECT_TRUE(full["checks"][0]["reproduced"][1].is_null());
+
+  // Overlapping samples: the ratio holds, the test does not.
+  json overlapping = accuracies(50);
+  for (int r = 0; r < 2; ++r) overlapping["quantities"]["accuracy.n1"]["values"][r] = 0;
+  EXPECT_EQ(evaluate_one(file, overlapping)["verdict"], "partly");
+}
+
+TEST(Claims, TheFloorOfTheTestIsReachedByCompleteSeparationOnly) {
+  TemporaryFolder folder;
+  const auto file =
+      claim_file(folder, check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "7.1e-18"));
+  EXPECT_EQ(evaluate_one(file, accuracies(5))["verdict"], "reproduced");
+  json overlapping = accuracies(5);
+  overlapping["quantities"]["accuracy.n1"]["values"][0] = 0;
+  EXPECT_EQ(evaluate_one(file, overlapping)["verdict"], "partly");
+}
+
+TEST(Claims, TheEndsOfARangeBelongToIt) {
+  TemporaryFolder folder;
+  const json statistics = accuracies(2, 500);  // median 10.25
+  for (const char* range : {"[10.25, 11]", "[10, 10.25]"})
+    EXPECT_EQ(evaluate_one(claim_file(folder, check("value", "accuracy.n1", "", range, "[0]")),
+                           statistics)["verdict"],
+              "reproduced");
+}
+
+TEST(Claims, ASmallRunIsNotDecidedButIndicates) {
+  TemporaryFolder folder;
+  const auto file =
+      claim_file(folder, check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "7.1e-18"), "full");
+  const json few = evaluate_one(file, accuracies(3, 500));
+  EXPECT_EQ(few["verdict"], "not at this size");
+  EXPECT_EQ(few["indication"], "reproduced");  // complete separation is all that three can show
+  EXPECT_THAT(few["reason"].get<std::string>(), HasSubstr("50 replications (this run: 3)"));
+  EXPECT_THAT(few["reason"].get<std::string>(), HasSubstr("generations (this run: 500)"));
+  EXPECT_FALSE(few["needs"][0]["met"]);
+  EXPECT_EQ(few["needs"][0]["found"], 3);
+
+  const json short_run = evaluate_one(file, accuracies(50, 500));
+  EXPECT_EQ(short_run["verdict"], "not at this size");
+  EXPECT_TRUE(short_run["needs"][0]["met"]);
+  EXPECT_FALSE(short_run["needs"][1]["met"]);
+}
+
+TEST(Claims, WhatIsAbsentIsNotDecided) {
+  TemporaryFolder folder;
+  const json claim =
+      evaluate_one(claim_file(folder, check("value", "accuracy.n1", "", "[0]", "[0]") +
+                                          check("ratio", "accuracy.n1", "accuracy.n100", "[1]", "[1]")),
+                   accuracies(3));
+  EXPECT_EQ(claim["verdict"], "not at this size");
+  EXPECT_EQ(claim["indication"], "reproduced");
+  EXPECT_EQ(claim["checks"][1]["outcome"], "absent");
+  EXPECT_THAT(claim["reason"].get<std::string>(), HasSubstr("this run has no accuracy.n100"));
+}
+
+TEST(Claims, SomeChecksMakeAPart) {
+  TemporaryFolder folder;
+  const std::string holds = check("value", "accuracy.n1", "", "[0]", "[0]");
+  const std::string fails = check("value", "accuracy.n1", "", "[0, 1]", "[0, 1]");
+  EXPECT_EQ(evaluate_one(claim_file(folder, holds + fails), accuracies(3))["verdict"], "partly");
+  EXPECT_EQ(evaluate_one(claim_file(folder, fails + fails), accuracies(3))["verdict"], "not");
+  EXPECT_EQ(evaluate_one(claim_file(folder, holds + holds), accuracies(3))["verdict"], "reproduced");
+}
+
+TEST(Claims, SizeAloneCanBeTheClaim) {
+  TemporaryFolder folder;
+  EXPECT_EQ(evaluate_one(claim_file(folder, "", "full"), accuracies(50))["verdict"], "reproduced");
+  const json few = evaluate_one(claim_file(folder, "", "full"), accuracies(3));
+  EXPECT_EQ(few["verdict"], "not at this size");
+  EXPECT_EQ(few["indication"], "");
+}
+
+TEST(Claims, TheFileIsReadStrictly) {
+  TemporaryFolder folder;
+  const std::string good = check("value", "accuracy.n1", "", "[0, 1]", "[0, 1]");
+  EXPECT_EQ(failure(claim_file(folder, good)), "no error");
+  EXPECT_THAT(failure(claim_file(folder, check("value", "acuracy.n1", "", "[0, 1]", "[0, 1]"))),
+              HasSubstr("no statistic can be called 'acuracy.n1'"));
+  EXPECT_THAT(failure(claim_file(folder, check("value", "layer2.n10.sizes", "", "[0, 1]", "[0, 1]"))),
+              HasSubstr("layer2.n10.sizes"));
+  EXPECT_THAT(failure(claim_file(folder, check("values", "accuracy.n1", "", "[0, 1]", "[0, 1]"))),
+              HasSubstr("kind"));
+  EXPECT_THAT(failure(claim_file(folder, check("ratio", "accuracy.n1", "", "[0, 1]", "[0, 1]"))),
+              HasSubstr("'to'"));
+  EXPECT_THAT(failure(claim_file(folder, check("value", "accuracy.n1", "", "[1, 0]", "[0, 1]"))),
+              HasSubstr("[low, high] or"));
+  EXPECT_THAT(failure(claim_file(folder, check("value", "accuracy.n1", "", "[]", "[0, 1]"))),
+              HasSubstr("[low, high] or"));
+  EXPECT_THAT(failure(claim_file(folder, check("value", "accuracy.n1", "", "[0, 2]", "[0, 1]"))),
+              HasSubstr("contain"));
+  EXPECT_THAT(failure(claim_file(folder, check("value", "accuracy.n1", "", "[0, 2]", "[0, 2]", "0.05"))),
+              HasSubstr("p_below"));
+  EXPECT_THAT(failure(claim_file(folder, good, "ful")), HasSubstr("did you mean 'full'"));
+  EXPECT_THAT(failure(claim_file(folder, "")), HasSubstr("neither checks nor a size"));
+  EXPECT_THAT(failure(claim_file(folder, "{ word = \"w\" }")), HasSubstr("unknown key"));
+  EXPECT_THAT(failure(folder.path() / "nowhere.toml"), HasSubstr("nowhere.toml"));
+  EXPECT_THROW(evaluate_claims(kClaims, json::object()), InputError);
+}
+
+TEST(Claims, OfThePaperOverTheSample) {
+  const json claims = evaluate_claims(kClaims, json::parse(std::ifstream(kSample)));
+  EXPECT_GE(claims.size(), 40u);
+  for (const json& claim : claims) {
+    const std::string id = claim["id"];
+    for (const char* key : {"place", "statement", "ours", "verdict", "reason"})
+      EXPECT_FALSE(claim[key].get<std::string>().empty()) << id << " " << key;
+    if (claim["needs"].empty())
+      EXPECT_NE(claim["verdict"], "not at this size") << id << ": " << claim["reason"];
+    else
+      EXPECT_EQ(claim["verdict"], "not at this size") << id;
+    for (const json& c : claim["checks"]) EXPECT_NE(c["outcome"], "absent") << id << ": " << c["sentence"];
+    const std::string quote = claim["quote"];
+    EXPECT_LE(std::count(quote.begin(), quote.end(), ' '), 7) << id << ": a few words only";
+  }
+}
+
+}  // namespace
+}  // namespace hbr

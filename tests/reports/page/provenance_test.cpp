@@ -1,0 +1,100 @@
+#include "reports/page/provenance.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "pipeline/artifact/manifest.h"
+#include "pipeline/core/check.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+namespace fs = std::filesystem;
+
+void manifest(const fs::path& out, const Node& node, double seconds) {
+  Manifest m;
+  m.made_from.slice = slice_of(node);
+  for (const auto& [name, output] : node.inputs) m.made_from.inputs[name] = "its hash";
+  m.key = m.made_from.key();
+  m.run = {{"seconds", seconds},    {"cpu_seconds", 2 * seconds}, {"peak_memory_bytes", 5e6},
+           {"version", "v1-dirty"}, {"compiler", "GCC 12"},       {"host", "<box>"}};
+  fs::create_directories(manifest_path(out, node).parent_path());
+  write_manifest(manifest_path(out, node), m);
+}
+
+TEST(Provenance, FillsThePageThatTheStageLeft) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path();
+  for (int r = 0; r < 2; ++r)
+    manifest(out,
+             {"layer1", "layer1", r, fmt::format("layer1/{:02}.h5", r), nlohmann::json::object(), {}, {}},
+             30);
+  manifest(out,
+           {"layer2",
+            "layer2_n10",
+            0,
+            "layer2_n10/00.h5",
+            nlohmann::json::object(),
+            {{"layer1", "layer1/00.h5"}},
+            {}},
+           5);
+  manifest(out,
+           {"layer2",
+            "layer2_n10",
+            0,
+            "short/layer2_n10/00.h5",
+            nlohmann::json::object(),
+            {{"layer1", "layer1/00.h5"}},
+            {},
+            "short"},
+           7);
+  manifest(out,
+           {"report",
+            "report",
+            -1,
+            "page",
+            nlohmann::json::object(),
+            {{"a", "layer1/01.h5"}, {"b", "layer2_n10/00.h5"}, {"c", "short/layer2_n10/00.h5"}},
+            {}},
+           1);
+  fs::create_directories(out / "page/figures");
+  std::ofstream(out / "page/index.html") << "a<!-- provenance -->b";
+  std::ofstream(out / "page/figures/x.csv") << "1";
+  publish_report(out / "page", out, out / "report");
+  // Again, there is nothing to write; what somebody changed is put right.
+  const std::string sign = sign_of(out / "report");
+  publish_report(out / "page", out, out / "report");
+  EXPECT_EQ(sign_of(out / "report"), sign);
+  write_file(out / "report/more.txt", "x");
+  publish_report(out / "page", out, out / "report");
+  EXPECT_FALSE(fs::exists(out / "report/more.txt"));
+  std::ifstream file(out / "report/index.html");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(page, HasSubstr("<td><code>layer1</code></td><td>2</td><td>1:00"));
+  EXPECT_THAT(page, HasSubstr("<td><code>layer2_n10</code></td><td>1</td><td>5.0 s"));
+  EXPECT_THAT(page, HasSubstr("<td><code>variation short</code></td><td>1</td><td>7.0 s"));
+  EXPECT_THAT(page, HasSubstr("v1-dirty"));
+  EXPECT_THAT(page, HasSubstr("&lt;box&gt;"));
+  EXPECT_THAT(page, HasSubstr("layer2_n10</text>"));
+  EXPECT_TRUE(fs::exists(out / "report/figures/x.csv"));
+  EXPECT_FALSE(fs::exists(out / "report.new") || fs::exists(out / "report.old"));
+}
+
+TEST(Provenance, RefusesAPageWithoutAPlace) {
+  const TemporaryFolder folder;
+  EXPECT_THAT([&] { publish_report(folder.path() / "page", folder.path(), folder.path() / "report"); },
+              ThrowsMessage<InputError>(HasSubstr("index.html: can't read: No such file")));
+  fs::create_directories(folder.path() / "page");
+  write_file(folder.path() / "page/index.html", "a page");
+  EXPECT_THAT([&] { publish_report(folder.path() / "page", folder.path(), folder.path() / "report"); },
+              ThrowsMessage<InputError>(HasSubstr("index.html has no place for the provenance")));
+}
+
+}  // namespace
+}  // namespace hbr

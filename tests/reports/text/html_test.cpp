@@ -1,0 +1,27 @@
+#include "reports/text/html.h"
+
+#include <gtest/gtest.h>
+
+namespace hbr {
+namespace {
+
+TEST(Html, EscapesWhatMarkupIsMadeOf) {
+  EXPECT_EQ(escape_html("a < b & \"c\" > 'd' é"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39; é");
+}
+
+// The vectors of RFC 4648.
+TEST(Html, EncodesBase64) {
+  const std::pair<const char*, const char*> cases[] = {{"", ""},
+                                                       {"f", "Zg=="},
+                                                       {"fo", "Zm8="},
+                                                       {"foo", "Zm9v"},
+                                                       {"foob", "Zm9vYg=="},
+                                                       {"fooba", "Zm9vYmE="},
+                                                       {"foobar", "Zm9vYmFy"}};
+  for (const auto& [bytes, text] : cases)
+    EXPECT_EQ(data_uri(bytes, "image/png"), std::string("data:image/png;base64,") + text);
+  EXPECT_EQ(data_uri("\xff\xfe\xfd", "a/b"), "data:a/b;base64,//79");
+}
+
+}  // namespace
+}  // namespace hbr
