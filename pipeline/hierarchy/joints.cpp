@@ -10,6 +10,11 @@ void decode_joints(const Robot& robot, const float* genome, double* joints) {
   for (Eigen::Index j = 0; j < lower.size(); ++j) joints[j] = lower[j] + genome[j] * (upper[j] - lower[j]);
 }
 
+Eigen::VectorXf encode_joints(const Robot& robot, const Eigen::VectorXd& joints) {
+  const Eigen::ArrayXd range = (robot.upper() - robot.lower()).array().max(1e-12);
+  return ((joints - robot.lower()).array() / range).max(0).min(1).cast<float>();
+}
+
 double joint_variance(const double* joints, Eigen::Index dof) {
   double mean = 0, sum = 0;
   for (Eigen::Index j = 0; j < dof; ++j) mean += joints[j];

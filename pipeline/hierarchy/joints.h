@@ -1,4 +1,4 @@
-// Joint angles: from genes, and what they cost.
+// Joint angles: from genes and back, and what they cost.
 #pragma once
 
 #include <span>
@@ -10,6 +10,8 @@ namespace hbr {
 
 // Joints [dof] of a genome [dof] in [0, 1]: the range of the limits.
 void decode_joints(const Robot& robot, const float* genome, double* joints);
+// The genome [dof] of joints [dof]; beyond the limits it is theirs.
+Eigen::VectorXf encode_joints(const Robot& robot, const Eigen::VectorXd& joints);
 
 // Population variance of the joints, rad^2 (paper, section 4.3, the fitness of layer 1, to be minimised).
 double joint_variance(const double* joints, Eigen::Index dof);

@@ -1,15 +1,13 @@
 // The digits replayed by another robot's servos under gravity: its drawing joints alone, and its whole body.
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
-#include "models/robot/body/servos.h"
+#include "models/robot/plane/drawing_servos.h"
 #include "pipeline/artifact/run_settings.h"
-#include "pipeline/core/check.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/drawing/draw.h"
+#include "pipeline/drawing/image_difference.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "pipeline/hierarchy/trace.h"
 #include "stages/layers/body.h"
@@ -40,8 +38,9 @@ struct Drawn {
   explicit Drawn(std::size_t n) : image(n * kImagePixels), absolute(n), squared(n) {}
   void set(std::size_t i, const Eigen::VectorXf& drawn, const Eigen::VectorXf& before) {
     image_to_bytes(drawn.data(), &image[i * kImagePixels]);
-    absolute[i] = (drawn - before).cwiseAbs().mean();
-    squared[i] = (drawn - before).squaredNorm() / static_cast<float>(kImagePixels);
+    const ImageDifference difference = image_difference(drawn, before);
+    absolute[i] = difference.absolute;
+    squared[i] = difference.squared;
   }
   void write(Hdf5Writer& file, const std::string& group) const {
     file.write(group + "/image", {absolute.size(), kImageSide, kImageSide}, image.data());
@@ -53,9 +52,7 @@ struct Drawn {
 // A body that replays the digits, and what it came to.
 struct Player {
   std::string name;
-  std::shared_ptr<const Body> body;
-  std::vector<int> drawing;  // its joints that draw, in the order of the path's
-  Eigen::VectorXd posture;
+  DrawingServos servos;
   Drawn drawn;
   std::vector<float> rms, worst, off_plane;  // [n] m
   std::vector<float> torque, speed;          // [n x dof] shares of the limits
@@ -63,43 +60,29 @@ struct Player {
   std::vector<std::int32_t> limit_joint;     // [n]
   std::vector<std::uint8_t> by_torque;       // [n]
 
-  Player(std::string player, std::shared_ptr<const Body> moved, const RobotSettings& robot, std::size_t n)
+  Player(std::string player, std::shared_ptr<const Body> body, const RobotSettings& robot, std::size_t n)
       : name(std::move(player)),
-        body(std::move(moved)),
-        posture(body->posture(robot.rest())),
+        servos(std::move(body), robot),
         drawn(n),
         rms(n),
         worst(n),
         off_plane(n),
-        torque(n * static_cast<std::size_t>(body->dof())),
+        torque(n * dof()),
         speed(torque.size()),
         faster(n),
         limit_joint(n),
-        by_torque(n) {
-    for (const std::string& joint : robot.joints) {
-      const auto at = std::find(body->moving().begin(), body->moving().end(), joint);
-      if (at == body->moving().end())
-        throw InputError("robot '{}': joint '{}' moves less than dynamics.lightest; expected a lower one",
-                         robot.name, joint);
-      drawing.push_back(static_cast<int>(at - body->moving().begin()));
-    }
-  }
+        by_torque(n) {}
+
+  std::size_t dof() const { return static_cast<std::size_t>(servos.body().dof()); }
 
   void set(std::size_t i, const Replay& replay, const Fastest& fastest, const DrawingPlane& plane) {
-    double sum = 0, greatest = 0, off = 0;
-    for (std::size_t k = 0; k < replay.tip.size(); ++k) {
-      const double error = (replay.tip[k] - replay.wanted[k]).norm();
-      sum += error * error;
-      greatest = std::max(greatest, error);
-      off = std::max(off, std::abs(plane.to_pen(replay.tip[k]).off_plane));
-    }
-    rms[i] = static_cast<float>(std::sqrt(sum / static_cast<double>(replay.tip.size())));
-    worst[i] = static_cast<float>(greatest);
-    off_plane[i] = static_cast<float>(off);
-    const auto dof = static_cast<std::size_t>(body->dof());
-    for (std::size_t k = 0; k < dof; ++k) {
-      torque[i * dof + k] = static_cast<float>(replay.torque[static_cast<Eigen::Index>(k)]);
-      speed[i * dof + k] = static_cast<float>(replay.speed[static_cast<Eigen::Index>(k)]);
+    const ReplayErrors errors = replay_errors(replay, plane);
+    rms[i] = static_cast<float>(errors.rms);
+    worst[i] = static_cast<float>(errors.worst);
+    off_plane[i] = static_cast<float>(errors.off_plane);
+    for (std::size_t k = 0; k < dof(); ++k) {
+      torque[i * dof() + k] = static_cast<float>(replay.torque[static_cast<Eigen::Index>(k)]);
+      speed[i * dof() + k] = static_cast<float>(replay.speed[static_cast<Eigen::Index>(k)]);
     }
     faster[i] = static_cast<float>(fastest.factor);
     limit_joint[i] = fastest.joint;
@@ -111,22 +94,15 @@ struct Player {
     file.write(name + "/rms", rms);
     file.write(name + "/max", worst);
     file.write(name + "/off_plane", off_plane);
-    const std::vector<std::size_t> shape{rms.size(), static_cast<std::size_t>(body->dof())};
+    const std::vector<std::size_t> shape{rms.size(), dof()};
     file.write(name + "/torque", shape, torque.data());
     file.write(name + "/speed", shape, speed.data());
     file.write(name + "/faster", faster);
     file.write(name + "/limit_joint", limit_joint);
     file.write(name + "/by_torque", by_torque);
-    file.attribute(name + ".joints", fmt::format("{}", fmt::join(body->moving(), " ")));
+    file.attribute(name + ".joints", fmt::format("{}", fmt::join(servos.body().moving(), " ")));
   }
 };
-
-// All joints but the lightest; none where those that draw are all that there is.
-std::shared_ptr<const Body> whole_body(const RobotModel& model, const RobotSettings& robot, double lightest) {
-  const std::vector<std::string> joints = joints_with_inertia(model, robot.rest(), lightest);
-  if (joints.size() == robot.joints.size() && robot.stands_on.empty()) return nullptr;
-  return std::make_shared<const Body>(model, joints, robot.rest(), robot.stands_on);
-}
 
 void run(StageRun& stage) {
   const auto s = stage.settings_as<DynamicsSlice>();
@@ -155,13 +131,8 @@ void run(StageRun& stage) {
 
   // The tip's way as the pencil sees it.
   const auto draw_tip = [&](const std::vector<Eigen::Vector3d>& tip, double width, Eigen::VectorXf& image) {
-    std::vector<float> pen;
-    for (const Eigen::Vector3d& p : tip) {
-      const Eigen::Vector2f at = robot.plane().to_pen(p).position.cast<float>();
-      pen.insert(pen.end(), {at.x(), at.y()});
-    }
-    draw(pen.data(), static_cast<Eigen::Index>(tip.size()), width, framing_named(s.pencil.framing),
-         stack.stack.frame().half_side, image.data());
+    draw(pen_of(tip, robot.plane()).data(), static_cast<Eigen::Index>(tip.size()), width,
+         framing_named(s.pencil.framing), stack.stack.frame().half_side, image.data());
   };
 
   Workers workers(stage.threads());
@@ -179,11 +150,8 @@ void run(StageRun& stage) {
       model.draw(genome, length, before.data());
       image_to_bytes(before.data(), &before_images[i * kImagePixels]);
       for (Player* player : players) {
-        const Replay played =
-            replay(*player->body, robot.tip(), movement, player->drawing, player->posture, servos);
-        player->set(i, played,
-                    fastest(*player->body, movement, player->drawing, player->posture,
-                            servos.step * servos.control_every),
+        const Replay played = player->servos.replay(robot.tip(), movement, servos);
+        player->set(i, played, player->servos.fastest(movement, servos.step * servos.control_every),
                     robot.plane());
         draw_tip(played.tip, s.pencil.width(genome[2]), after);
         player->drawn.set(i, after, before);

@@ -1,10 +1,9 @@
 // Transfer (paper, section 5.2): every line, arc and digit executed by the arm and by another robot through
 // the same layers 2 to 4.
-#include <algorithm>
-#include <cmath>
-
+#include "models/judge/surest.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
+#include "pipeline/drawing/image_difference.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "pipeline/hierarchy/trace.h"
@@ -23,19 +22,6 @@ void describe(Fields& f, TransferSlice& s) {
   describe_run(f, s);
   f.table("transfer", s.transfer, "lines and arcs");
   f.table("pencil", s.pencil, "of the digits");
-}
-
-// The digit that a picture shows: of those that the judge calls good, plain 0s and 1s aside, the one it is
-// surest of.
-Eigen::Index most_legible(const hbr::Hdf5Reader& digits) {
-  const auto label = digits.read<std::uint8_t>("hbr/label").values;
-  const auto good = digits.read<std::uint8_t>("hbr/good").values;
-  const auto confidence = digits.read<float>("hbr/confidence").values;
-  std::size_t best = 0;
-  const auto rank = [&](std::size_t i) { return std::pair(good[i] && label[i] > 1, confidence[i]); };
-  for (std::size_t i = 1; i < label.size(); ++i)
-    if (rank(i) > rank(best)) best = i;
-  return static_cast<Eigen::Index>(best);
 }
 
 // Of all lines and arcs that the repertoires hold.
@@ -83,14 +69,18 @@ void run(hbr::StageRun& stage) {
       const int length = digits.genes(i);
       by_arm.draw(genome, length, a.data());
       by_robot.draw(genome, length, b.data());
-      absolute[i] = (a - b).cwiseAbs().mean();
-      squared[i] = (a - b).squaredNorm() / static_cast<float>(hbr::kImagePixels);
+      const hbr::ImageDifference difference = hbr::image_difference(a, b);
+      absolute[i] = difference.absolute;
+      squared[i] = difference.squared;
       hbr::image_to_bytes(a.data(), &arm_images[i * hbr::kImagePixels]);
       hbr::image_to_bytes(b.data(), &robot_images[i * hbr::kImagePixels]);
     }
   });
 
-  const Eigen::Index shown = most_legible(hbr::Hdf5Reader(stage.input("digits")));
+  const hbr::Hdf5Reader judged(stage.input("digits"));
+  const auto shown = static_cast<Eigen::Index>(hbr::most_legible(
+      {judged.read<std::uint8_t>("hbr/label").values, judged.read<std::uint8_t>("hbr/good").values,
+       judged.read<float>("hbr/confidence").values}));
   const hbr::Trace trace =
       trace_of(*by_robot.executor(), digits.solution.row(shown).data(), digits.genes(shown));
   const auto points = static_cast<std::size_t>(trace.points());

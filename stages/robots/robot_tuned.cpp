@@ -1,14 +1,13 @@
 // What fine-tuning gains (paper, section 5.2, as an outlook): the arm's lines, arcs and digits as another
 // robot draws them before and after its layers evolved on, asked for at the same places. With the arm in the
 // robot's place: what more generations gain by themselves.
-#include <algorithm>
-#include <cstdlib>
-
 #include "models/judge/judge.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
+#include "pipeline/drawing/image_difference.h"
 #include "pipeline/hierarchy/layers.h"
 #include "pipeline/hierarchy/layers/arcs.h"
+#include "pipeline/qd/places.h"
 #include "stages/layers/images.h"
 #include "stages/layers/read_stack.h"
 #include "stages/layers/warm_start.h"
@@ -33,42 +32,6 @@ void describe(Fields& f, TunedSlice& s) {
 
 using Bytes = std::vector<std::uint8_t>;  // images [n x 28 x 28]
 
-// For each place in the latent space the digit of `digits` that is nearest.
-std::vector<std::int32_t> nearest(const Rows& places, const Elites& digits) {
-  std::vector<std::int32_t> found;
-  for (Eigen::Index i = 0; i < places.rows(); ++i) {
-    Eigen::Index best = 0;
-    (digits.measures.rowwise() - places.row(i)).rowwise().squaredNorm().minCoeff(&best);
-    found.push_back(static_cast<std::int32_t>(best));
-  }
-  return found;
-}
-
-// Mean absolute difference per pixel between image i and the one of `others` that stands for it.
-std::vector<float> differences(const Bytes& images, const Bytes& others,
-                               const std::vector<std::int32_t>& of) {
-  std::vector<float> result;
-  for (std::size_t i = 0; i < of.size(); ++i) {
-    int sum = 0;
-    for (std::size_t p = 0; p < kImagePixels; ++p)
-      sum +=
-          std::abs(images[i * kImagePixels + p] - others[static_cast<std::size_t>(of[i]) * kImagePixels + p]);
-    result.push_back(static_cast<float>(sum) / (255.0f * kImagePixels));
-  }
-  return result;
-}
-
-// The places of the arm's elites, each coordinate moved by up to `by`: where the arm's repertoire has none
-// just there either, and one that grew elsewhere is not worse for it.
-Rows beside(const Elites& elites, double by, Seed seed) {
-  Rng rng(seed);
-  const auto most = static_cast<float>(by);
-  Rows places = elites.measures;
-  for (float& place : places.reshaped<Eigen::RowMajor>())
-    place = std::clamp(place + rng.uniform(-most, most), 0.0f, 1.0f);
-  return places;
-}
-
 // Lines and arcs of one state of the robot's layers, asked for beside the places of the arm's.
 void write_strokes(Hdf5Writer& file, const std::string& state, const TunedSlice& s, Seed seed,
                    const StackOnBody& arm, const StackOnBody& robot, Workers& workers) {
@@ -80,8 +43,9 @@ void write_strokes(Hdf5Writer& file, const std::string& state, const TunedSlice&
     return Side{of.stack.points(), of.stack.layer(level)};
   };
   const int lines = arm.level("lines"), arcs = arm.level("arcs");
-  const Rows of_lines = beside(arm.elites[lines], s.line_places, seed.child("line places")),
-             of_arcs = beside(arm.elites[arcs], s.arc_places, seed.child("arc places"));
+  // Where the arm's repertoire has none just there either, and one that grew elsewhere is not worse for it.
+  const Rows of_lines = places_beside(arm.elites[lines].measures, s.line_places, seed.child("line places")),
+             of_arcs = places_beside(arm.elites[arcs].measures, s.arc_places, seed.child("arc places"));
   const LineErrors line = line_errors(arm.stack.model(lines).frame(), of_lines, side(arm, lines),
                                       side(robot, lines), s.transfer.starts, seed.child("lines"), workers);
   write("line", line.promise);
@@ -117,12 +81,16 @@ void write_arc_fitness(Hdf5Writer& file, const std::string& state, int starts, S
 void write_digits(Hdf5Writer& file, const std::string& state, const Elites& digits, const Bytes& images,
                   const Rows& places, const Bytes& arm_images, const Judge& judge, Workers& workers) {
   const auto n = static_cast<std::size_t>(digits.size());
-  const std::vector<std::int32_t> at = nearest(places, digits);
+  const std::vector<std::int32_t> at = nearest_elites(places, digits).elite;
+  std::vector<float> differences;
+  for (std::size_t i = 0; i < at.size(); ++i)
+    differences.push_back(image_difference(&arm_images[i * kImagePixels],
+                                           &images[static_cast<std::size_t>(at[i]) * kImagePixels]));
   file.write(state + "/image", {n, kImageSide, kImageSide}, images.data());
   file.write(state + "/objective", {n}, digits.objective.data());
   file.write(state + "/good", judge.judge(n, images.data(), workers).good);
   file.write(state + "/nearest", at);
-  file.write(state + "/absolute", differences(arm_images, images, at));
+  file.write(state + "/absolute", differences);
 }
 
 void run(StageRun& stage) {

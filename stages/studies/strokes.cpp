@@ -1,7 +1,6 @@
 // How the arm draws: of each class the digits that the judge is surest of, joint by joint.
-#include <algorithm>
-
 #include "models/arm/planar_arm.h"
+#include "models/judge/surest.h"
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/trace.h"
@@ -9,29 +8,15 @@
 
 namespace {
 
-// Of each class that the judge finds, in their order: the elite, among the good ones where there are any,
-// with the greatest confidence.
-std::vector<std::size_t> surest(const std::vector<std::uint8_t>& label, const std::vector<std::uint8_t>& good,
-                                const std::vector<float>& confidence) {
-  const auto rank = [&](std::size_t i) { return std::pair(good[i] != 0, confidence[i]); };
-  std::vector<std::size_t> result;
-  for (int digit = 0; digit < 10; ++digit) {
-    std::size_t best = label.size();
-    for (std::size_t i = 0; i < label.size(); ++i)
-      if (label[i] == digit && (best == label.size() || rank(i) > rank(best))) best = i;
-    if (best < label.size()) result.push_back(best);
-  }
-  return result;
-}
-
 void run(hbr::StageRun& stage) {
   const hbr::StackOnBody arm = hbr::read_stack(stage, "layer");
   const hbr::LayerModel& model = arm.top();
   const hbr::Elites& digits = arm.elites.back();
   const hbr::Hdf5Reader judged(stage.input("digits"));
-  const auto label = judged.read<std::uint8_t>("hbr/label").values;
-  const auto good = judged.read<std::uint8_t>("hbr/good").values;
-  const auto confidence = judged.read<float>("hbr/confidence").values;
+  const hbr::JudgedDigits said{judged.read<std::uint8_t>("hbr/label").values,
+                               judged.read<std::uint8_t>("hbr/good").values,
+                               judged.read<float>("hbr/confidence").values};
+  const auto& [label, good, confidence] = said;
   const auto n = static_cast<std::size_t>(digits.size());
   if (label.size() != n || good.size() != n || confidence.size() != n)
     throw hbr::InputError("{}: judges {} digits; expected the {} of {}; make it again",
@@ -41,7 +26,7 @@ void run(hbr::StageRun& stage) {
   std::vector<std::int64_t> id;
   std::vector<std::int32_t> count;
   std::vector<float> pen, joints;
-  for (const std::size_t i : surest(label, good, confidence)) {
+  for (const std::size_t i : hbr::surest_of_each_class(said)) {
     const auto row = static_cast<Eigen::Index>(i);
     const hbr::Trace trace = trace_of(*model.executor(), digits.solution.row(row).data(), digits.genes(row));
     if (trace.points() == 0) continue;

@@ -1,0 +1,43 @@
+// The servos of a body that replays what a robot draws.
+#pragma once
+
+#include "models/robot/body/servos.h"
+#include "models/robot/plane/robot_on_plane.h"
+
+namespace hbr {
+
+// How far a replay's tip is from where it should be, m: by root mean square, at most; and at most off the
+// plane.
+struct ReplayErrors {
+  double rms, worst, off_plane;
+};
+ReplayErrors replay_errors(const Replay& replay, const DrawingPlane& plane);
+
+// A tip's way [n] as the pen's, [n x 2] m of the arm.
+std::vector<float> pen_of(const std::vector<Eigen::Vector3d>& tip, const DrawingPlane& plane);
+
+class DrawingServos {
+ public:
+  // Of the robot's table the joints that draw, and the posture in which the body's others hold. Throws
+  // InputError where the body lacks one of the joints that draw.
+  DrawingServos(std::shared_ptr<const Body> body, const RobotSettings& robot);
+
+  const Body& body() const { return *body_; }
+  Replay replay(int tip, const JointPath& path, const ServoSettings& servos) const {
+    return hbr::replay(*body_, tip, path, drawing_, posture_, servos);
+  }
+  Fastest fastest(const JointPath& path, double every) const {
+    return hbr::fastest(*body_, path, drawing_, posture_, every);
+  }
+
+ private:
+  std::shared_ptr<const Body> body_;
+  std::vector<int> drawing_;  // the body's joints that draw, in the order of the path's
+  Eigen::VectorXd posture_;
+};
+
+// The robot with all joints that move at least that inertia, kg m^2, on the link that it stands on; none
+// where those that draw are all that there is.
+std::shared_ptr<const Body> whole_body(const RobotModel& model, const RobotSettings& robot, double lightest);
+
+}  // namespace hbr
