@@ -16,7 +16,7 @@ constexpr Eigen::Index kDescribedTogether = 64;
 
 ReconstructingDescriptor::ReconstructingDescriptor(Eigen::Index dimension)
     : lower_(Eigen::VectorXf::Constant(dimension, -1.f)), upper_(Eigen::VectorXf::Constant(dimension, 1.f)) {
-  HBR_CHECK(dimension >= 1 && dimension <= kMostDimensions, "dimension {}", dimension);
+  HBR_CHECK(dimension >= 1 && dimension <= kMaxDescriptorSize, "dimension {}", dimension);
 }
 
 void ReconstructingDescriptor::describe(Eigen::Index n, const float* images, float* position,
@@ -89,9 +89,9 @@ Placement read_placement(const Hdf5Reader& file, Eigen::Index dimension) {
 
 Eigen::Index read_dimension(const Hdf5Reader& file) {
   const double d = file.number_attribute("dimension");
-  if (!(d >= 1 && d <= kMostDimensions))
+  if (!(d >= 1 && d <= kMaxDescriptorSize))
     throw InputError("{}: attribute dimension is {}, expected 1 to {}", file.path().string(), d,
-                     kMostDimensions);
+                     kMaxDescriptorSize);
   return static_cast<Eigen::Index>(d);
 }
 

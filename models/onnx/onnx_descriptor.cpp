@@ -101,15 +101,15 @@ struct OnnxDescriptor::Network {
       if (!w.output) continue;
       sizes.push_back(w.numbers);
       if (w.numbers == kImagePixels) images.push_back(w);
-      if (w.numbers <= kMostDimensions) places.push_back(w);
+      if (w.numbers <= kMaxDescriptorSize) places.push_back(w);
     }
     if (images.size() != 1)
       throw InputError("{}: expected one output of 784 numbers an image, found outputs of {}", where,
                        fmt::join(sizes, ", "));
     const Width narrowest = *std::ranges::min_element(all.rbegin(), all.rend(), {}, &Width::numbers);
-    if (narrowest.numbers > kMostDimensions)
+    if (narrowest.numbers > kMaxDescriptorSize)
       throw InputError("{}: its narrowest layer, {}, has {} numbers an image; expected 1 to {} as position",
-                       where, narrowest.layer, narrowest.numbers, kMostDimensions);
+                       where, narrowest.layer, narrowest.numbers, kMaxDescriptorSize);
     const Width& place = places.size() == 1 ? places[0] : narrowest;
     if (!place.floats || !images[0].floats)
       throw InputError("{}: expected a network that gives numbers of type float32", where);

@@ -111,7 +111,7 @@ auto looked_at(Look&& look) {
   }
 }
 
-std::string sign_of_file(const fs::path& path) {
+std::string fingerprint_of_file(const fs::path& path) {
   struct stat s {};
   if (::stat(path.c_str(), &s) != 0) return "";
   return fmt::format("{} {}.{:09} {}.{:09} {}", s.st_size, s.st_mtim.tv_sec, s.st_mtim.tv_nsec,
@@ -168,12 +168,12 @@ std::string sha256_of_program(const fs::path& path) {
   return hash.hex();
 }
 
-std::string sign_of(const fs::path& path) {
+std::string fingerprint(const fs::path& path) {
   return looked_at([&] {
-    if (!fs::is_directory(path)) return sign_of_file(path);
+    if (!fs::is_directory(path)) return fingerprint_of_file(path);
     std::string list;
     for (const fs::path& file : files_below(path))
-      list += sign_of_file(path / file) + "  " + file.string() + "\n";
+      list += fingerprint_of_file(path / file) + "  " + file.string() + "\n";
     return sha256_of_text(list);
   });
 }

@@ -1,4 +1,4 @@
-// What a file or folder holds, as SHA-256, and a cheap sign of whether it may have changed since.
+// What a file or folder holds, as SHA-256, and a cheap fingerprint: whether it may have changed since.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ std::string sha256_of_program(const std::filesystem::path& path);
 
 // Sizes, times and inodes of the file, or of all files of the folder: whatever writes to one changes this.
 // Empty where the path is missing.
-std::string sign_of(const std::filesystem::path& path);
+std::string fingerprint(const std::filesystem::path& path);
 
 // Writes the file or all of the folder's files through to the disk.
 void sync_to_disk(const std::filesystem::path& path);

@@ -79,12 +79,12 @@ Found manifest_of(const Workspace& workspace, const Node& node) {
   return found;
 }
 
-// A sign that is still the same would hide from the next look what this one has found.
-void forget_sign(const fs::path& file, const std::string& sign) {
+// A fingerprint that is still the same would hide from the next look what this one has found.
+void forget_fingerprint(const fs::path& file, const std::string& print) {
   try {
     Manifest manifest = read_manifest(file);
-    if (manifest.sign != sign) return;  // a make has been here meanwhile
-    manifest.sign.clear();
+    if (manifest.fingerprint != print) return;  // a make has been here meanwhile
+    manifest.fingerprint.clear();
     write_manifest(file, manifest);
   } catch (const InputError&) {  // a folder that can only be read: no make can mend it either
   }
@@ -94,10 +94,10 @@ void forget_sign(const fs::path& file, const std::string& sign) {
 void compare(const Workspace& workspace, const Node& node, Compare how, Found& found) {
   const fs::path artifact = workspace.out / node.output, file = manifest_path(workspace.out, node);
   Manifest& manifest = *found.manifest;
-  std::string sign, sha256;
+  std::string print, sha256;
   try {
-    sign = sign_of(artifact);
-    if (how == Compare::by_sign && !sign.empty() && sign == manifest.sign) return;
+    print = fingerprint(artifact);
+    if (how == Compare::by_fingerprint && !print.empty() && print == manifest.fingerprint) return;
     const Content content = content_of(artifact);
     sha256 = content.sha256;
     found.bytes = content.bytes;
@@ -109,9 +109,9 @@ void compare(const Workspace& workspace, const Node& node, Compare how, Found& f
   if (sha256 != manifest.content.sha256) {
     found.state = State::damaged;
     found.why = fmt::format("damaged: expected sha256 {}, found {}", manifest.content.sha256, sha256);
-    if (sign == manifest.sign) forget_sign(file, sign);
-  } else if (sign != manifest.sign && workspace.remember) {
-    manifest.sign = sign;
+    if (print == manifest.fingerprint) forget_fingerprint(file, print);
+  } else if (print != manifest.fingerprint && workspace.remember) {
+    manifest.fingerprint = print;
     write_manifest(file, manifest);
   }
 }
@@ -120,12 +120,12 @@ void compare(const Workspace& workspace, const Node& node, Compare how, Found& f
 
 // The file as it is written.
 struct KnownHash {
-  std::string file, sign, sha256;
+  std::string file, print, sha256;
 };
 template <class Fields>
 void describe(Fields& f, KnownHash& h) {
   f.text("file", h.file, "path");
-  f.text("sign", h.sign, "when it was hashed");
+  f.text("sign", h.print, "when it was hashed");
   f.text("sha256", h.sha256, "of its content");
 }
 struct KnownHashes {
@@ -141,7 +141,7 @@ HashCache::HashCache(const Workspace& workspace) : workspace_(workspace) {
   try {
     for (const auto& known :
          settings_from_json<KnownHashes>(unsealed(read_json(file), file.string()), file.string()).hashes)
-      known_[known.file] = {known.sign, known.sha256};
+      known_[known.file] = {known.print, known.sha256};
   } catch (const InputError&) {
     known_.clear();  // only a cache: what is not there, or was edited, is hashed again
   }
@@ -149,11 +149,11 @@ HashCache::HashCache(const Workspace& workspace) : workspace_(workspace) {
 
 template <class Hash>
 std::string HashCache::remembered(const fs::path& path, Hash hash) {
-  const std::string sign = sign_of(path);
-  auto& [known_sign, known_hash] = known_[path.string()];
-  if (sign.empty() || sign != known_sign) {
+  const std::string print = fingerprint(path);
+  auto& [known_print, known_hash] = known_[path.string()];
+  if (print.empty() || print != known_print) {
     known_hash = hash(path);
-    known_sign = sign;
+    known_print = print;
     changed_ = true;
   }
   return known_hash;
@@ -188,7 +188,7 @@ Found look_at(const Workspace& workspace, const Node& node, Compare how) {
 }
 
 std::string artifact_hash(const Workspace& workspace, const Node& node) {
-  const Found found = look_at(workspace, node, Compare::by_sign);
+  const Found found = look_at(workspace, node, Compare::by_fingerprint);
   return found.state == State::fresh ? found.manifest->content.sha256 : "";
 }
 
@@ -213,7 +213,7 @@ Freshness freshness_of(const Workspace& workspace, const Node& node,
     found.why = why_stale(node, artifact.manifest->made_from, found.ingredients);
     return found;
   }
-  if (artifact.state == State::fresh) compare(workspace, node, Compare::by_sign, artifact);
+  if (artifact.state == State::fresh) compare(workspace, node, Compare::by_fingerprint, artifact);
   found.state = artifact.state;
   found.why = artifact.why;
   if (found.state == State::fresh) found.sha256 = artifact.manifest->content.sha256;

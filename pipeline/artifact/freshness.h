@@ -33,7 +33,7 @@ class HashCache {
   std::string remembered(const std::filesystem::path& path, Hash hash);
 
   const Workspace& workspace_;
-  std::map<std::string, std::pair<std::string, std::string>> known_;  // path -> sign, sha256
+  std::map<std::string, std::pair<std::string, std::string>> known_;  // path -> fingerprint, sha256
   bool changed_ = false;
 };
 
@@ -54,13 +54,13 @@ struct Found {
 };
 
 enum class Compare {
-  by_sign,    // the artifact is read where its sign is another than when it was hashed
-  by_content  // it is read
+  by_fingerprint,  // the artifact is read where its fingerprint is another than when it was hashed
+  by_content       // it is read
 };
 
 // What `audit` refuses, `make` makes again and `status` calls damaged: all of them ask here. Where the
-// content is another though the sign is the same, the manifest forgets the sign, so that the next look finds
-// it, too.
+// content is another though the fingerprint is the same, the manifest forgets the fingerprint, so that the
+// next look finds it, too.
 Found look_at(const Workspace& workspace, const Node& node, Compare how);
 
 struct Freshness {
@@ -78,8 +78,8 @@ Freshness freshness_of(const Workspace& workspace, const Node& node,
 // One entry for every node.
 std::vector<Freshness> freshness_of(const Workspace& workspace, const Graph& graph);
 
-// The hash of an artifact as it is now: the manifest's while the artifact's sign is the same, else hashed
-// again. Empty where it is missing or not what its manifest says.
+// The hash of an artifact as it is now: the manifest's while the artifact's fingerprint is the same, else
+// hashed again. Empty where it is missing or not what its manifest says.
 std::string artifact_hash(const Workspace& workspace, const Node& node);
 
 // Throws InputError where an output is given twice or outside OUT, or an input is not made by an earlier

@@ -29,7 +29,7 @@ struct Manifest {
   Slice slice;      // made_from's, when it was read
   std::string key;  // of made_from
   Content content;
-  std::string sign;                               // of the artifact when its content was hashed
+  std::string fingerprint;                        // of the artifact when its content was hashed
   nlohmann::json run = nlohmann::json::object();  // times, host, version, ...: no part of the key
 };
 
@@ -43,7 +43,7 @@ void describe(Fields& f, Manifest& m) {
   f.text("sha256", m.content.sha256, "of the artifact");
   f.named_texts("files", m.content.files, "of a folder: file -> SHA-256");
   f.number("bytes", m.content.bytes, Range{0, 1e18}, "of the artifact");
-  f.text("sign", m.sign, "of the artifact when its content was hashed");
+  f.text("sign", m.fingerprint, "of the artifact when its content was hashed");
   f.raw_table("run", m.run, "times, host, version, compiler");
 }
 

@@ -91,13 +91,13 @@ void keep(const Workspace& workspace, const Node& node, const Freshness& found, 
           nlohmann::json run) {
   const fs::path artifact = workspace.out / node.output, manifest_file = manifest_path(workspace.out, node);
   Manifest manifest{found.ingredients, {}, found.key, content_of(output), "", std::move(run)};
-  const std::optional<Manifest> before = look_at(workspace, node, Compare::by_sign).manifest;
+  const std::optional<Manifest> before = look_at(workspace, node, Compare::by_fingerprint).manifest;
   if (before && before->key == manifest.key && before->content.sha256 != manifest.content.sha256)
     fmt::print(stderr, "{}: not reproducible: the same ingredients gave other bytes than before\n",
                name_of(node));
   sync_to_disk(output);
   replace(artifact, output);
-  manifest.sign = sign_of(artifact);
+  manifest.fingerprint = fingerprint(artifact);
   try {
     if (fs::is_directory(fs::symlink_status(manifest_file))) fs::remove_all(manifest_file);
     write_manifest(manifest_file, manifest);

@@ -174,7 +174,7 @@ void Samples<D>::resize(int n) {
 template <int D>
 Median<D> geometric_median(const Samples<D>& samples) {
   constexpr float kTolerance = 1e-6f;
-  constexpr int kMostSteps = 1000, kFirstSteps = 2, kMostHalvings = 2;
+  constexpr int kMaxSteps = 1000, kFirstSteps = 2, kMaxHalvings = 2;
   const int n = samples.size();
 
   Point<D> place = Point<D>::Zero();
@@ -198,7 +198,7 @@ Median<D> geometric_median(const Samples<D>& samples) {
   };
 
   Pull<D> pull(samples, place);
-  for (int step = 1; step <= kMostSteps; ++step) {
+  for (int step = 1; step <= kMaxSteps; ++step) {
     if (pull.weights == 0 || pull.holds()) break;
     Point<D> move;
     bool newton = step > kFirstSteps && pull.newton_step(move);
@@ -209,7 +209,7 @@ Median<D> geometric_median(const Samples<D>& samples) {
         pull = there;
         break;
       }
-      newton = halvings < kMostHalvings;
+      newton = halvings < kMaxHalvings;
     }
     if (!newton) {
       if (step >= kFirstSteps && nearest_holds()) break;

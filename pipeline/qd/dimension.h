@@ -7,15 +7,15 @@
 
 namespace hbr {
 
-inline constexpr int kMostDimensions = 8;
+inline constexpr int kMaxDescriptorSize = 8;
 
 // make(std::integral_constant<int, D>()) with D = size, 1 to 8.
 template <int D = 1, class Make>
 auto with_dimension(int size, Make&& make) {
-  if constexpr (D < kMostDimensions) {
+  if constexpr (D < kMaxDescriptorSize) {
     if (size != D) return with_dimension<D + 1>(size, make);
   }
-  HBR_CHECK(size == D, "descriptor size {}, expected 1 to {}", size, kMostDimensions);
+  HBR_CHECK(size == D, "descriptor size {}, expected 1 to {}", size, kMaxDescriptorSize);
   return make(std::integral_constant<int, D>());
 }
 

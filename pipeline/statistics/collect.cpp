@@ -28,7 +28,7 @@ std::string family(const Split& name) {
   if (head == "layer3" || head == "flat_arcs") return "arcs";
   if (head == "layer4" || head == "flat_digits") return "drawings";
   if (head == "accuracy") return "accuracy";
-  if (head == "digits") return "digits";
+  if (head == "digit_verdicts") return head;
   if (head == "substitution") return name.subject;
   if (head == "tuned") {  // gains with those of other robots, all else with the same robot's
     const std::size_t state = name.subject.rfind('.');
@@ -38,7 +38,7 @@ std::string family(const Split& name) {
   return "";
 }
 
-// "digits.hbr.good_of_class.4" -> "good_of_class.4".
+// "digit_verdicts.hbr.good_of_class.4" -> "good_of_class.4".
 std::string what_of_digits(const std::string& name) {
   return name.substr(name.find('.', name.find('.') + 1) + 1);
 }
@@ -51,9 +51,10 @@ void add_tests(StatisticsTable& table) {
     for (std::size_t j = i + 1; j < names.size(); ++j) {
       const Split b = split_last(names[j]);
       // Of accuracies and substitutions the last word is whose it is; of digits the second.
-      const bool comparable = family(a) == "accuracy" || first_word(a.subject) == "substitution" ||
-                              (family(a) == "digits" ? what_of_digits(names[i]) == what_of_digits(names[j])
-                                                     : a.measure == b.measure);
+      const bool comparable =
+          family(a) == "accuracy" || first_word(a.subject) == "substitution" ||
+          (family(a) == "digit_verdicts" ? what_of_digits(names[i]) == what_of_digits(names[j])
+                                         : a.measure == b.measure);
       if (family(a) == family(b) && comparable) table.test(names[i], names[j]);
     }
   }
@@ -78,13 +79,13 @@ nlohmann::json collect_statistics(const std::string& profile,
   read_accuracy(artifacts["accuracy"], table);
   read_arc_quality(artifacts["arc_quality"], layers, table);
   read_substitution(artifacts["substitution"], table);
-  read_digits(artifacts["digits"], table);
+  read_digits(artifacts["digit_verdicts"], table);
   read_numbers(artifacts["numbers"], table);
   read_transfer(artifacts["transfer"], table);
   read_dynamics(artifacts["dynamics"], table);
   read_tuned(artifacts["tuned"], table);
   read_planes(artifacts["plane"], table);
-  read_polish(artifacts["polish"], table);
+  read_projected(artifacts["projected"], table);
   add_tests(table);
   return table.json();
 }

@@ -128,7 +128,7 @@ std::optional<Meaning> meaning_of(const std::string& name) {
   if (const Entry* entry = find_entry(kSingle, name)) return Meaning{entry->unit, entry->text};
   if (auto meaning = of_search(parts)) return meaning;
   if (auto meaning = meaning_of_robots(parts)) return meaning;
-  if (parts[0] == "digits") return of_digits(parts);
+  if (parts[0] == "digit_verdicts") return of_digits(parts);
   if (parts[0] == "numbers") return of_numbers(parts);
   if (parts[0] == "accuracy" && parts.size() == 2)
     return Meaning{"m^2", fmt::format("accuracy, {}: median squared error of the requested lines",

@@ -138,7 +138,7 @@ void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table)
     const int replication = artifact.name.replication;
     for (const std::string& group : file.children("/")) {
       const Digits d = read_group(file, group);
-      const std::string prefix = "digits." + group;
+      const std::string prefix = "digit_verdicts." + group;
       table.add(prefix + ".cells", replication, cells(d));
       add_judgement(prefix, replication, d, table);
       table.add(prefix + ".confidence", replication,

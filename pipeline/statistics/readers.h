@@ -33,7 +33,7 @@ void read_numbers(const std::vector<Artifact>& artifacts, StatisticsTable& table
 void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_tuned(const std::vector<Artifact>& artifacts, StatisticsTable& table);
-void read_polish(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_projected(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 
 }  // namespace hbr

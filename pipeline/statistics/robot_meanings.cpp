@@ -35,17 +35,17 @@ constexpr std::array kOfReplays = {
 };
 
 // Of a robot's layer 1, before and after it is moved onto its plane.
-constexpr std::array kOfPolish = {
+constexpr std::array kOfProjected = {
     Entry{"within_before", "", "{}: share of the arm's layer-1 points with an elite within l, as evolved"},
-    Entry{"within_after", "", "{}: share of the arm's layer-1 points with an elite within l, polished"},
+    Entry{"within_after", "", "{}: share of the arm's layer-1 points with an elite within l, projected"},
     Entry{"nearest_before", "l", "{}: median distance from the arm's points to an elite, as evolved"},
-    Entry{"nearest_after", "l", "{}: median distance from the arm's points to an elite, polished"},
+    Entry{"nearest_after", "l", "{}: median distance from the arm's points to an elite, projected"},
     Entry{"off_plane_before", "mm", "{}: median distance of the elites from the plane, as evolved"},
-    Entry{"off_plane_after", "mm", "{}: median distance of the elites from the plane, polished"},
+    Entry{"off_plane_after", "mm", "{}: median distance of the elites from the plane, projected"},
     Entry{"distance_before", "mm", "{}: median distance of the elites from their places, as evolved"},
-    Entry{"distance_after", "mm", "{}: median distance of the elites from their places, polished"},
+    Entry{"distance_after", "mm", "{}: median distance of the elites from their places, projected"},
     Entry{"variance_before", "rad^2", "{}: mean variance of the elites' joints, as evolved"},
-    Entry{"variance_after", "rad^2", "{}: mean variance of the elites' joints, polished"},
+    Entry{"variance_after", "rad^2", "{}: mean variance of the elites' joints, projected"},
     Entry{"added", "elites", "{}: elites added where the arm had points and the robot none"},
 };
 
@@ -113,8 +113,8 @@ std::optional<Meaning> meaning_of_robots(const std::vector<std::string>& parts) 
   if (parts[0] == "transfer")
     if (const Entry* entry = find_entry(kOfTransfer, parts[2]))
       return make(*entry, "transfer to " + parts[1]);
-  if (parts[0] == "polish")
-    if (const Entry* entry = find_entry(kOfPolish, parts[2])) return make(*entry, parts[1]);
+  if (parts[0] == "projected")
+    if (const Entry* entry = find_entry(kOfProjected, parts[2])) return make(*entry, parts[1]);
   if (parts[0] == "plane" && parts[2] == "scale")
     return Meaning{"", fmt::format("{}: metres of the robot per metre of the arm", parts[1])};
   if (parts[0] == "plane" && parts[2] == "covered")

@@ -1,4 +1,4 @@
-// The digits that a contender drew, from digits/RR.h5.
+// The digits that a contender drew, from digit_verdicts/RR.h5.
 #pragma once
 
 #include <cstdint>

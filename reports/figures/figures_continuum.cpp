@@ -123,7 +123,7 @@ Figure continuum_figure(const Evidence& evidence) {
       "The shortest walk through the latent space that visits the median place of every class of the test "
       "images (its label stands where the walk passes), and the elites nearest to its steps; first "
       "replication.";
-  const auto files = evidence.artifacts.replications("digits");
+  const auto files = evidence.artifacts.replications("digit_verdicts");
   auto networks = evidence.artifacts.replications("autoencoder");
   if (const std::string other = "descriptor.h5"; networks.empty() && evidence.artifacts.has(other))
     networks.push_back(evidence.artifacts.path(other));

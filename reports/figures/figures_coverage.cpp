@@ -16,7 +16,7 @@
 namespace hbr {
 namespace {
 
-const std::string kPolished = "_polish";
+const std::string kProjected = "_projected";
 
 // One dot for each point [n x 2], drawn over the points' own range: blue, the paler the nearer, up to
 // `limit`, vermilion beyond.
@@ -65,8 +65,8 @@ std::string shares_within(const StatisticsView& statistics, const std::string& r
   std::string text = fmt::format(" {}", escape_html(robot_title(robot)));
   if (const auto covered = statistics.number("plane." + robot + ".covered"))
     text += fmt::format(" reaches {},", percent(*covered));
-  const auto before = statistics.quantity("polish." + robot + ".within_before"),
-             after = statistics.quantity("polish." + robot + ".within_after");
+  const auto before = statistics.quantity("projected." + robot + ".within_before"),
+             after = statistics.quantity("projected." + robot + ".within_after");
   if (before.empty() || after.empty()) return "";
   return text + fmt::format(" holds {} within l as evolved and {} when moved.",
                             percent(summarise(before, "within").median),
@@ -77,14 +77,14 @@ std::string shares_within(const StatisticsView& statistics, const std::string& r
 
 Figure coverage_figure(const Evidence& evidence) {
   Figure figure{.id = "coverage", .title = "The arm’s points within other robots’ reach."};
-  const auto stages = evidence.artifacts.stages("", kPolished);
+  const auto stages = evidence.artifacts.stages("", kProjected);
   if (stages.empty()) {
     figure.absent = "This run has no other robot that draws.";
     return figure;
   }
   std::string missing, shares;
   for (const std::string& stage : stages) {
-    const std::string robot = stage.substr(0, stage.size() - kPolished.size());
+    const std::string robot = stage.substr(0, stage.size() - kProjected.size());
     if (const std::string plane = robot + "_plane.h5"; evidence.artifacts.has(plane)) {
       const std::filesystem::path path = evidence.artifacts.path(plane);
       const Hdf5Reader file(path);

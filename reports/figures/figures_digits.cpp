@@ -52,7 +52,7 @@ Figure digits_figure(const Evidence& evidence) {
       "a "
       "flat repertoire. Below: number of elites, best and mean fitness (minus the reconstruction error) over "
       "generations, median and quartiles over replications.";
-  const auto files = evidence.artifacts.replications("digits");
+  const auto files = evidence.artifacts.replications("digit_verdicts");
   for (const auto& [who, title] : {std::pair{"hbr", "Hierarchy (HBR)"}, std::pair{"flat", "Flat repertoire"}})
     if (!files.empty() && has_drawings(files[0], who))
       figure.panels.push_back(mosaic(title, read_drawings(files[0], who), figure.table));
@@ -78,7 +78,8 @@ Figure judge_figure(const Evidence& evidence) {
     const Contender c = contender(who);
     BarSeries series{c.label, c.colour, {}};
     for (int digit = 0; digit < 10; ++digit) {
-      const auto values = evidence.statistics.quantity(fmt::format("digits.{}.good_of_class.{}", who, digit));
+      const auto values =
+          evidence.statistics.quantity(fmt::format("digit_verdicts.{}.good_of_class.{}", who, digit));
       if (values.empty()) break;
       series.values.push_back(summarise(values, "good_of_class").median);
       figure.table.add("Good digits by class", c.label, digit, "median", series.values.back());
@@ -90,7 +91,7 @@ Figure judge_figure(const Evidence& evidence) {
     return figure;
   }
   figure.panels.push_back({"Good digits by class", draw(bars, "judge-classes"), 2});
-  const std::vector<std::string> good = {"digits.hbr.good", "digits.flat.good"},
+  const std::vector<std::string> good = {"digit_verdicts.hbr.good", "digit_verdicts.flat.good"},
                                  fitness = {"layer4.mean", "flat_digits.mean"};
   for (const auto& [title, unit, scale, names] :
        {std::tuple{"Share of good digits", "% of elites", 100.0, good},
@@ -103,17 +104,17 @@ Figure judge_figure(const Evidence& evidence) {
 }
 
 std::vector<Figure> all_figures(const Evidence& evidence) {
-  return {points_figure(evidence),   searches_figure(evidence),    autoencoder_figure(evidence),
-          strokes_figure(evidence),  digits_figure(evidence),      continuum_figure(evidence),
-          judge_figure(evidence),    fooling_figure(evidence),     substitution_figure(evidence),
-          transfer_figure(evidence), coverage_figure(evidence),    posture_figure(evidence),
-          dynamics_figure(evidence), tuned_figure(evidence),       lines_figure(evidence),
-          arcs_figure(evidence),     arc_quality_figure(evidence), numbers_figure(evidence),
+  return {points_figure(evidence),        searches_figure(evidence),    autoencoder_figure(evidence),
+          surest_digits_figure(evidence), digits_figure(evidence),      continuum_figure(evidence),
+          judge_figure(evidence),         fooling_figure(evidence),     substitution_figure(evidence),
+          transfer_figure(evidence),      coverage_figure(evidence),    posture_figure(evidence),
+          dynamics_figure(evidence),      tuned_figure(evidence),       lines_figure(evidence),
+          arcs_figure(evidence),          arc_quality_figure(evidence), numbers_figure(evidence),
           layers_figure(evidence)};
 }
 
 std::string hero_picture(const Artifacts& artifacts, int rows) {
-  const auto files = artifacts.replications("digits");
+  const auto files = artifacts.replications("digit_verdicts");
   if (files.empty() || !has_drawings(files[0], "hbr")) return "";
   struct Candidate {
     float confidence;

@@ -160,7 +160,7 @@ Figure fooling_figure(const Evidence& evidence) {
       "digits with about the same error are good; rank correlation of the two opinions, one value per "
       "replication, and the mean confidence. Below: for each class, as the judge sees it, the digit with the "
       "least error (written below it) among the good ones and among the others.";
-  const auto files = evidence.artifacts.replications("digits");
+  const auto files = evidence.artifacts.replications("digit_verdicts");
   std::vector<Replications> all;
   for (const char* who : kDrawers) {
     Replications drawings;
@@ -182,10 +182,10 @@ Figure fooling_figure(const Evidence& evidence) {
   for (const auto& [title, unit, measure] :
        {std::tuple{"Network and judge agree", "rank correlation", "agreement"},
         std::tuple{"The judge’s mean confidence", "margin", "confidence"}})
-    for (Panel& panel :
-         box_panel(evidence.statistics,
-                   {std::string("digits.hbr.") + measure, std::string("digits.flat.") + measure},
-                   {.title = title, .unit = unit, .figure = figure.id}, figure.table))
+    for (Panel& panel : box_panel(
+             evidence.statistics,
+             {std::string("digit_verdicts.hbr.") + measure, std::string("digit_verdicts.flat.") + measure},
+             {.title = title, .unit = unit, .figure = figure.id}, figure.table))
       figure.panels.push_back(std::move(panel));
   for (std::size_t c = 0; c < all.size(); ++c) figure.panels.push_back(pairs(kDrawers[c], all[c]));
   return figure;

@@ -104,7 +104,7 @@ json kept_of(const json& claims) {
 
 // Throws InputError where the artifact is not what its manifest says.
 void check_artifact(const fs::path& out, const std::string& output) {
-  const Found found = look_at({out, {}, {}}, node_at(output), Compare::by_sign);
+  const Found found = look_at({out, {}, {}}, node_at(output), Compare::by_fingerprint);
   if (found.state != State::fresh)
     throw InputError("{}: {}; `make all` of the profile makes it again", (out / output).string(), found.why);
 }

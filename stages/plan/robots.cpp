@@ -33,7 +33,7 @@ std::vector<const LayerRow*> transferred(const Plan& plan) {
 Inputs over(const Plan& plan, const std::string& name, const std::vector<const LayerRow*>& stack,
             const RobotSettings* robot, int r) {
   Inputs inputs = plan.inputs(name, stack, r);
-  if (robot) inputs.front().second = numbered(robot->name + "_polish", r);
+  if (robot) inputs.front().second = numbered(robot->name + "_projected", r);
   return inputs;
 }
 Inputs plane(const RobotSettings* robot) {
@@ -59,7 +59,7 @@ void plan_points(Plan& plan, const RobotSettings& robot, const nlohmann::json& b
     Inputs inputs = plane(&robot);
     append(inputs,
            {{"robot_layer1", numbered(robot.name + "_layer1", r)}, {"layer1", numbered(arm_points, r)}});
-    plan.add("robot_polish", robot.name + "_polish", r,
+    plan.add("project_onto_plane", robot.name + "_projected", r,
              with(plan.run(r), {{"kind", points.kind->name},
                                 {"layer", points.settings},
                                 {"body", body},
@@ -76,7 +76,7 @@ void plan_transfer(Plan& plan, const RobotSettings& robot) {
     append(by_robot, plane(&robot));
     Inputs both = plan.inputs("arm", stack, r);
     append(both, by_robot);
-    both.emplace_back("digits", numbered("digits", r));
+    both.emplace_back("digits", numbered("digit_verdicts", r));
     plan.add("robot_transfer", robot.name + "_transfer", r,
              with(plan.run(r),
                   {{"transfer", settings_to_json(p.transfer)}, {"pencil", stack.back()->settings["pencil"]}}),
@@ -100,7 +100,7 @@ void plan_numbers(Plan& plan, const RobotSettings& robot) {
 }
 
 void plan_picture(Plan& plan, const RobotSettings& robot) {
-  Inputs inputs{{"plane", robot.name + "_plane.h5"}, {"strokes", numbered(robot.name + "_transfer", 0)}};
+  Inputs inputs{{"plane", robot.name + "_plane.h5"}, {"transfer", numbered(robot.name + "_transfer", 0)}};
   if (robot.meshes == kNaoMeshes) {  // made, not found
     if (std::ranges::find(plan.graph(), kNaoMeshes, &Node::stage) == plan.graph().end())
       plan.add({kNaoMeshes, kNaoMeshes, -1, kNaoMeshes, nlohmann::json::object(), {}, {}});

@@ -67,14 +67,14 @@ void plan_digits(Plan& plan) {
   const LayerRow& digits = plan.layer(s.hierarchy, "digits.hierarchy", "digits");
   plan.layer(s.flat, "digits.flat");
   for (int r = 0; r < plan.replications(digits); ++r) {
-    plan.add("digits", "digits", r, nlohmann::json::object(),
+    plan.add("digit_verdicts", "digit_verdicts", r, nlohmann::json::object(),
              {{"dataset", "dataset.h5"},
               {"judge", "judge.h5"},
               {"hbr", numbered(s.hierarchy, r)},
               {"flat", numbered(s.flat, r)}});
     Inputs drawn = plan.inputs("layer", plan.stack(s.hierarchy), r);
-    drawn.emplace_back("digits", numbered("digits", r));
-    plan.add("strokes", "strokes", r, nlohmann::json::object(), drawn);
+    drawn.emplace_back("digits", numbered("digit_verdicts", r));
+    plan.add("surest_digits", "surest_digits", r, nlohmann::json::object(), drawn);
   }
 }
 

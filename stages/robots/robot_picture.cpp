@@ -47,7 +47,7 @@ void run(StageRun& stage) {
   const auto folder =
       stage.has_input("meshes") ? stage.input("meshes") : std::filesystem::path(settings.robot.meshes);
   const auto meshes = link_meshes(robot.body().model(), folder, settings.robot.mesh_scale);
-  const DrawnStroke drawing = read_drawing(stage.input("strokes"), robot);
+  const DrawnStroke drawing = read_drawing(stage.input("transfer"), robot);
   const std::size_t last = drawing.pen.size() - 1;
   std::filesystem::create_directories(stage.output());
 

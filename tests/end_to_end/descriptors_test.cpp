@@ -36,7 +36,7 @@ TEST_F(Descriptors, AreChosenByTheProfileAlone) {
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   for (const std::string of : {"out/", "out/pca/", "out/kernel_pca/"}) {
     EXPECT_EQ(shape(of + "layer4/00.h5", "measures")[1], 3u) << of;
-    EXPECT_EQ(shape(of + "digits/00.h5", "flat/measures")[1], 3u) << of;
+    EXPECT_EQ(shape(of + "digit_verdicts/00.h5", "flat/measures")[1], 3u) << of;
   }
   EXPECT_THAT(made(outcome), Not(HasSubstr("pca/autoencoder")));
   EXPECT_THAT(made(outcome), Not(HasSubstr("pca/layer3")));

@@ -22,8 +22,8 @@ class RobotArtifacts {
  public:
   explicit RobotArtifacts(std::filesystem::path out) : out_(std::move(out)) {}
 
-  // Elites of layer 1, as evolved and as polished: each is where its joints put the pen, near enough to the
-  // plane, and clear of the robot itself and the board. Polishing brings them nearer and fills gaps.
+  // Elites of layer 1, as evolved and as projected: each is where its joints put the pen, near enough to the
+  // plane, and clear of the robot itself and the board. Projection brings them nearer and fills gaps.
   void expect_points(const std::string& name) const {
     const auto settings = nlohmann::json::parse(of(name + "_layer1").text_attribute("settings"));
     auto table = settings_from_json<RobotSettings>(settings.at("body").at("robot"), name);
@@ -32,10 +32,10 @@ class RobotArtifacts {
     const RobotOnPlane robot = make_robot(table, load_plane(out_ / (name + "_plane.h5")));
     const Clearance clearance(robot.body(), robot.tip());
     const Elites evolved = read_elites(path(name + "_layer1")),
-                 polished = read_elites(path(name + "_polish"));
+                 projected = read_elites(path(name + "_projected"));
     ASSERT_GT(evolved.size(), 0);
-    ASSERT_GE(polished.size(), evolved.size());
-    for (const Elites* elites : {&evolved, &polished})
+    ASSERT_GE(projected.size(), evolved.size());
+    for (const Elites* elites : {&evolved, &projected})
       for (Eigen::Index i = 0; i < elites->size(); ++i) {
         Eigen::VectorXd joints(robot.dof());
         for (Eigen::Index j = 0; j < robot.dof(); ++j)
@@ -47,7 +47,7 @@ class RobotArtifacts {
         const Eigen::Array2f place = ((pen.position.array() / half_side + 1) / 2).cast<float>();
         EXPECT_LT((elites->measures.row(i).transpose().array() - place).abs().maxCoeff(), 1e-5f) << i;
       }
-    const Hdf5Reader file = of(name + "_polish");
+    const Hdf5Reader file = of(name + "_projected");
     const auto off_before = file.read<float>("before/off_plane").values,
                off_after = file.read<float>("after/off_plane").values,
                gaps_before = file.read<float>("before/nearest").values,

@@ -75,9 +75,9 @@ void expect_strokes_of_the_surest(const fs::path& out) {
   verdicts.write("hbr/confidence", confidence);
   verdicts.close();
 
-  const json settings = json::parse(Hdf5Reader(out / "strokes/00.h5").text_attribute("settings"));
-  std::ofstream(out / "made_up.json") << json{{"stage", "strokes"},
-                                              {"name", "strokes/00"},
+  const json settings = json::parse(Hdf5Reader(out / "surest_digits/00.h5").text_attribute("settings"));
+  std::ofstream(out / "made_up.json") << json{{"stage", "surest_digits"},
+                                              {"name", "surest_digits/00"},
                                               {"settings", settings},
                                               {"inputs",
                                                {{"layer1", "layer1/00.h5"},
@@ -86,10 +86,10 @@ void expect_strokes_of_the_surest(const fs::path& out) {
                                                 {"layer4", "layer4/00.h5"},
                                                 {"digits", "made_up.h5"}}},
                                               {"output", "drawn.h5"}};
-  const ShellResult outcome =
-      shell("cd " + out.string() +
-            " && " HBR_BINARY_DIR
-            "/bin/strokes --root . --slice made_up.json --output drawn.h5 --checkpoint none --threads 1");
+  const ShellResult outcome = shell(
+      "cd " + out.string() +
+      " && " HBR_BINARY_DIR
+      "/bin/surest_digits --root . --slice made_up.json --output drawn.h5 --checkpoint none --threads 1");
   ASSERT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_THAT(expect_strokes_draw_the_images(out, out / "drawn.h5"),
               ElementsAre(digits.id[n - 1], digits.id[1]));
@@ -110,7 +110,7 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
     EXPECT_TRUE(others.at(name) == bytes) << name << " differs between one thread and two";
   }
 
-  expect_strokes_draw_the_images(experiment.out("one"), experiment.out("one/strokes/00.h5"));
+  expect_strokes_draw_the_images(experiment.out("one"), experiment.out("one/surest_digits/00.h5"));
   expect_strokes_of_the_surest(experiment.out("one"));
   DescribedFormat().expect(experiment.out("one"));
   const RobotArtifacts robots(experiment.out("one"));

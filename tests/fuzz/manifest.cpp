@@ -22,8 +22,8 @@ const Workspace& workspace() {
 std::vector<std::string> examples() {
   const Freshness is = freshness_of(workspace(), {kNode})[0];
   const std::filesystem::path artifact = folder() / kNode.output, path = manifest_path(folder(), kNode);
-  write_manifest(path,
-                 {is.ingredients, {}, is.key, content_of(artifact), sign_of(artifact), {{"seconds", 1.5}}});
+  write_manifest(
+      path, {is.ingredients, {}, is.key, content_of(artifact), fingerprint(artifact), {{"seconds", 1.5}}});
   return {content_of_file(path)};
 }
 

@@ -74,7 +74,7 @@ TEST_F(DataStages, JudgeTheImagesOfRepertoires) {
   write_repertoire("flat.h5", 9, 9);
   const json inputs = {
       {"dataset", "dataset.h5"}, {"judge", "judge.h5"}, {"hbr", "hbr.h5"}, {"flat", "flat.h5"}};
-  const Outcome outcome = run("digits", json::object(), inputs, "digits.h5");
+  const Outcome outcome = run("digit_verdicts", json::object(), inputs, "digits.h5");
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   const Hdf5Reader digits(folder_ / "digits.h5");
   const auto image = digits.read<std::uint8_t>("flat/image");
@@ -128,7 +128,7 @@ TEST_F(DataStages, SayInOneLineWhatIsWrong) {
   write_repertoire("hbr.h5", 12, 11);
   const json inputs = {
       {"dataset", "dataset.h5"}, {"judge", "judge.h5"}, {"hbr", "hbr.h5"}, {"flat", "hbr.h5"}};
-  outcome = run("digits", json::object(), inputs, "digits.h5");
+  outcome = run("digit_verdicts", json::object(), inputs, "digits.h5");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.output, HasSubstr("hbr.h5"));
 }

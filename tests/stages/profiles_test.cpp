@@ -67,8 +67,8 @@ TEST(Profiles, ReadingsOfTheDigits) {
                                                              {"reject", {"layer4"}}};
   std::map<std::string, std::set<std::string>> run;
   for (const Node& node : graph)
-    if (!node.variation.empty() && node.stage != "statistics" && node.stage != "digits" &&
-        node.stage != "strokes")
+    if (!node.variation.empty() && node.stage != "statistics" && node.stage != "digit_verdicts" &&
+        node.stage != "surest_digits")
       run[node.variation].insert(node.stage);
   EXPECT_EQ(run, touched);
   for (const auto& [output, pen, start] :
@@ -93,7 +93,7 @@ TEST(Profiles, LayersAreTunedOverEachOther) {
     return std::map<std::string, std::string>(list.begin(), list.end());
   };
   for (const std::string robot : {"nao", "nao_left", "industrial", "arm"}) {
-    const std::string points = robot == "arm" ? "layer1/03.h5" : robot + "_polish/03.h5",
+    const std::string points = robot == "arm" ? "layer1/03.h5" : robot + "_projected/03.h5",
                       tuned = robot + "_tuned", lines = tuned + "_lines/03.h5", arcs = tuned + "_arcs/03.h5";
     const std::map<std::string, std::pair<const char*, std::int64_t>> searches{
         {"lines", {"layer2_n10/03.h5", 1000}},

@@ -56,7 +56,7 @@ class SyntheticExperiment : public SyntheticRobots {
   // position, so latent neighbours look alike.
   void digits(int n, double good_hbr, double good_flat) {
     for (int r = 0; r < replications_; ++r) {
-      Hdf5Writer file(place("digits", r));
+      Hdf5Writer file(place("digit_verdicts", r));
       for (const auto& [group, share] : {std::pair{"hbr", good_hbr}, std::pair{"flat", good_flat}}) {
         Rng rng(Seed(5).child(group).child(static_cast<std::uint64_t>(r)));
         const auto rows = static_cast<std::size_t>(n);
@@ -162,7 +162,7 @@ class SyntheticExperiment : public SyntheticRobots {
     tuned("nao", 50);
     tuned("arm", 50);
     single("judge.h5", {{"test_accuracy", 0.99}, {"test_typical", 0.95}, {"random_typical", 0.05}});
-    polish("nao");
+    projection("nao");
     single("nao_plane.h5", {{"covered", 0.998}, {"scale", 0.26}});
   }
 };

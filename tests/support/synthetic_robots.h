@@ -109,9 +109,9 @@ class SyntheticRobots : public SyntheticLayers {
   }
 
   // Seven elites, one of them added; of ten points three have none within l before, one after.
-  void polish(const std::string& robot) {
+  void projection(const std::string& robot) {
     for (int r = 0; r < replications_; ++r) {
-      Hdf5Writer file(place(robot + "_polish", r));
+      Hdf5Writer file(place(robot + "_projected", r));
       file.attribute("settings.spacing", 0.01);
       file.write("objective", std::vector<float>(7, -0.4f));
       for (const auto& [when, apart, away] :

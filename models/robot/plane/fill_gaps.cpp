@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "models/robot/plane/polish.h"
+#include "models/robot/plane/project_onto_plane.h"
 #include "models/robot/plane/reach.h"
 #include "pipeline/hierarchy/joints.h"
 
@@ -48,7 +48,7 @@ class Gaps {
   }
 
   Eigen::VectorXf arrive(const Eigen::VectorXd& start, const Eigen::Vector3d& target) const {
-    Eigen::VectorXf genes = encode_joints(robot_, polish(robot_, target, start));
+    Eigen::VectorXf genes = encode_joints(robot_, project_onto_plane(robot_, target, start));
     Eigen::VectorXd joints(robot_.dof());
     decode_joints(robot_, genes.data(), joints.data());
     const double distance = (robot_.body().position(robot_.tip(), joints.data()) - target).norm();

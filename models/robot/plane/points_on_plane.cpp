@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "models/robot/plane/polish.h"
+#include "models/robot/plane/project_onto_plane.h"
 #include "pipeline/hierarchy/joints.h"
 
 namespace hbr {
@@ -34,8 +34,8 @@ Eigen::VectorXd perform_point(const RobotOnPlane& robot, const Frame& frame, Eli
 
 Eigen::VectorXd project_point(const RobotOnPlane& robot, const Frame& frame, Elites& elites,
                               Eigen::Index row) {
-  const Eigen::VectorXf genes =
-      encode_joints(robot, polish(robot, place_of(robot, frame, elites, row), joints_of(robot, elites, row)));
+  const Eigen::VectorXf genes = encode_joints(
+      robot, project_onto_plane(robot, place_of(robot, frame, elites, row), joints_of(robot, elites, row)));
   Eigen::VectorXd joints(robot.dof());
   decode_joints(robot, genes.data(), joints.data());
   if (robot.clear(joints.data(), frame.half_side)) elites.solution.row(row) = genes.transpose();

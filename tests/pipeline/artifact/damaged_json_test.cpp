@@ -69,7 +69,7 @@ class Damaged : public testing::Test {
     manifest.made_from = freshness().ingredients;
     manifest.key = manifest.made_from.key();
     manifest.content = content_of(out() / "a.h5");
-    manifest.sign = sign_of(out() / "a.h5");
+    manifest.fingerprint = fingerprint(out() / "a.h5");
     manifest.run = {{"seconds", 1.5}, {"host", "here"}, {"threads", 2}, {"later", "?"}};
     write_manifest(manifest_file(), manifest);
   }
@@ -151,7 +151,7 @@ TEST_F(Damaged, WhatAuditFindsBehindAnUnchangedSignIsMadeAgain) {
   // As a disk does it that decays: other bytes, and nothing else has changed.
   Manifest manifest = read_manifest(manifest_file());
   write_file(out() / "a.h5", "artefact");
-  manifest.sign = sign_of(out() / "a.h5");
+  manifest.fingerprint = fingerprint(out() / "a.h5");
   write_manifest(manifest_file(), manifest);
   EXPECT_EQ(freshness().state, State::fresh);
   EXPECT_EQ(refused(), 1u);

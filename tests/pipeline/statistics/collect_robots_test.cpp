@@ -15,11 +15,11 @@ namespace {
 
 using nlohmann::json;
 
-TEST(CollectRobots, PolishBeforeAndAfter) {
+TEST(CollectRobots, ProjectionBeforeAndAfter) {
   TemporaryFolder folder;
   SyntheticExperiment experiment(folder.path(), 2);
-  experiment.polish("nao");
-  const json found = collect_statistics("polish", experiment.artifacts())["quantities"];
+  experiment.projection("nao");
+  const json found = collect_statistics("projected", experiment.artifacts())["quantities"];
   for (const auto& [name, value] : {std::pair{"within_before", .7},
                                     {"within_after", .9},
                                     {"nearest_before", .5},
@@ -31,7 +31,7 @@ TEST(CollectRobots, PolishBeforeAndAfter) {
                                     {"variance_before", .35},
                                     {"variance_after", .35},
                                     {"added", 1.}}) {
-    const json& quantity = found.at(std::string("polish.nao.") + name);
+    const json& quantity = found.at(std::string("projected.nao.") + name);
     EXPECT_EQ(quantity["n"], 2) << name;
     EXPECT_NEAR(quantity["median"].get<double>(), value, 1e-6) << name;
   }

@@ -146,10 +146,10 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
   experiment.digits(60, 0.5, 0.3);
   const json found = collect_statistics("tiny", experiment.artifacts())["quantities"];
   const auto value = [&](const std::string& name) {
-    return found["digits.hbr." + name]["median"].get<double>();
+    return found["digit_verdicts.hbr." + name]["median"].get<double>();
   };
 
-  const Hdf5Reader file(folder.path() / "digits/00.h5");
+  const Hdf5Reader file(folder.path() / "digit_verdicts/00.h5");
   const auto image = file.read<std::uint8_t>("hbr/image").values;
   const auto z = file.read<float>("hbr/measures").values;
   const auto label = file.read<std::uint8_t>("hbr/label").values;
@@ -219,7 +219,7 @@ TEST(Collect, RefusesWhatIsNotAsDescribed) {
     f.write("before/objective", std::vector<float>{1});
     f.write("before/good", std::vector<std::uint8_t>{1, 0});
   });
-  refuses("digits/00.h5", [](Hdf5Writer& f) {
+  refuses("digit_verdicts/00.h5", [](Hdf5Writer& f) {
     f.write("hbr/image", Array<std::uint8_t>{{1, 28, 28}, std::vector<std::uint8_t>(784)});
   });
   // Digits that are as described but for one array.
@@ -235,7 +235,7 @@ TEST(Collect, RefusesWhatIsNotAsDescribed) {
       file.write("hbr/" + array, std::vector<std::uint8_t>(rows(array), odd == "class" ? 10 : 9));
     file.close();
     try {
-      collect_statistics("tiny", {{"digits/00.h5", path}});
+      collect_statistics("tiny", {{"digit_verdicts/00.h5", path}});
     } catch (const InputError& error) {
       return std::string(error.what());
     }

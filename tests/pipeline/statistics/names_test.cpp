@@ -19,7 +19,8 @@ TEST(ArtifactName, HasHeadVariantAndReplication) {
         Case{"nao_dynamics/07.h5", "dynamics", "nao", 7},
         Case{"layer2_n10_short/00.h5", "layer2", "n10_short", 0},
         Case{"flat_digits/09.h5", "flat_digits", "", 9}, Case{"judge.h5", "judge", "", -1},
-        Case{"nao_polish/01.h5", "polish", "nao", 1}, Case{"nao_left_tuned/02.h5", "tuned", "nao_left", 2},
+        Case{"nao_projected/01.h5", "projected", "nao", 1},
+        Case{"nao_left_tuned/02.h5", "tuned", "nao_left", 2},
         Case{"nao_tuned_lines/02.h5", "tuned_lines", "nao", 2},
         Case{"arm_tuned_top/02.h5", "tuned_top", "arm", 2}, Case{"nao_plane.h5", "plane", "nao", -1}}) {
     const ArtifactName parsed = parse_artifact_name(c.name);
@@ -60,7 +61,7 @@ TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
                            "numbers.nao.legible",
                            "tuned.arm.top.good_gain",
                            "tuned.nao.all.arc_centre_from_arm",
-                           "digits.hbr.good_of_class.4",
+                           "digit_verdicts.hbr.good_of_class.4",
                            "autoencoder.kept_of_class.2",
                            "judge.test_accuracy",
                            "layer4.generations",
@@ -72,7 +73,7 @@ TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
   for (const char* name :
        {"", "layer2", "layer2.n10.sizes", "layer5.size", "layer2..size", "layer2.a.b.size",
         "substitution.m4.original", "transfer.absolute", "dynamics.nao.leg_rms",
-        "dynamics.nao.arm_rms.LHipPitch", "digits.hbr.good_of_class.x", "judge.accuracy", "accuracy"})
+        "dynamics.nao.arm_rms.LHipPitch", "digit_verdicts.hbr.good_of_class.x", "judge.accuracy", "accuracy"})
     EXPECT_FALSE(meaning_of(name)) << name;
 }
 

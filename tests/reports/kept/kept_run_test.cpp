@@ -49,7 +49,7 @@ class KeptRuns : public testing::Test {
     m.made_from.slice = slice_of(node);
     m.key = m.made_from.key();
     m.content = content_of(out() / output);
-    m.sign = sign_of(out() / output);
+    m.fingerprint = fingerprint(out() / output);
     m.run = kToolchain;
     m.run["version"] = "v1";
     write_manifest(manifest_path(out(), node), m);

@@ -114,16 +114,18 @@ TEST(Verify, CountsAreExactAndNumbersWithinReach) {
 
 TEST(Verify, WhatOnlyOneHasIsSaid) {
   KeptRun reference = kept(), run = kept();
-  run.statistics[""]["quantities"]["digits.hbr.good"] = quantity("", {0.5});
-  run.statistics[""]["quantities"]["digits.flat.good"] = quantity("", {0.5});
+  run.statistics[""]["quantities"]["digit_verdicts.hbr.good"] = quantity("", {0.5});
+  run.statistics[""]["quantities"]["digit_verdicts.flat.good"] = quantity("", {0.5});
   EXPECT_THAT(verify(reference, run).differences, IsEmpty());
-  EXPECT_THAT(verify(reference, run).notes,
-              ElementsAre("digits: 2 quantities of this run are not in the reference and not compared "
-                          "(digits.flat.good, ...)"));
+  EXPECT_THAT(
+      verify(reference, run).notes,
+      ElementsAre("digit_verdicts: 2 quantities of this run are not in the reference and not compared "
+                  "(digit_verdicts.flat.good, ...)"));
   EXPECT_THAT(verify(run, reference).differences, IsEmpty());
   EXPECT_THAT(
       verify(run, reference).notes,
-      ElementsAre("digits: this run has nothing of it; 2 quantities of the reference are not compared"));
+      ElementsAre(
+          "digit_verdicts: this run has nothing of it; 2 quantities of the reference are not compared"));
   // One of a kind that is there must be there.
   run = kept();
   run.statistics[""]["quantities"].erase("layer3.n10.mean");

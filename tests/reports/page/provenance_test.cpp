@@ -68,9 +68,9 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
   std::ofstream(out / "page/figures/x.csv") << "1";
   publish_report(out / "page", out, out / "report");
   // Again, there is nothing to write; what somebody changed is put right.
-  const std::string sign = sign_of(out / "report");
+  const std::string sign = fingerprint(out / "report");
   publish_report(out / "page", out, out / "report");
-  EXPECT_EQ(sign_of(out / "report"), sign);
+  EXPECT_EQ(fingerprint(out / "report"), sign);
   write_file(out / "report/more.txt", "x");
   publish_report(out / "page", out, out / "report");
   EXPECT_FALSE(fs::exists(out / "report/more.txt"));

@@ -73,9 +73,9 @@ TEST_F(ReportTest, GivesTheSameBytesTwice) {
   write_report(content, folder_ / "two");
   const auto one = files(folder_ / "one");
   EXPECT_TRUE(one == files(folder_ / "two"));
-  for (const char* figure : {"points", "searches", "autoencoder", "digits", "continuum", "strokes", "judge",
-                             "fooling", "substitution", "transfer", "coverage", "posture", "dynamics",
-                             "tuned", "lines", "arcs", "arc_quality"})
+  for (const char* figure : {"points", "searches", "autoencoder", "digits", "continuum", "surest_digits",
+                             "judge", "fooling", "substitution", "transfer", "coverage", "posture",
+                             "dynamics", "tuned", "lines", "arcs", "arc_quality"})
     for (const char* kind : {".svg", ".pdf", ".csv"})
       EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
   EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kVerdicts);
@@ -130,8 +130,8 @@ TEST_F(ReportTest, SaysWhatWasMeasuredOfRobots) {
           100 * box(difference, "above") / box(difference, "n")),
       fmt::format("NAO reaches {}, holds {} within l as evolved and {} when moved.",
                   format_quantity(100 * number("numbers", "plane.nao.covered", "value"), "%"),
-                  format_quantity(100 * median("polish.nao.within_before"), "%"),
-                  format_quantity(100 * median("polish.nao.within_after"), "%")),
+                  format_quantity(100 * median("projected.nao.within_before"), "%"),
+                  format_quantity(100 * median("projected.nao.within_after"), "%")),
       fmt::format(
           "digits: arm {} mm (root mean square) from its way, at most {} of a torque limit, a limit reached "
           "at {} times the pace; body {} mm",
@@ -167,7 +167,7 @@ TEST_F(ReportTest, SaysWhatWasMeasuredOfRobots) {
   content.statistics["boxes"]["dynamics.nao.whole_rms"]["low"] = 0;
   for (const char* name : {"transfer.nao.absolute", "dynamics.nao.arm_faster"})
     content.statistics["boxes"].erase(name);
-  for (const char* name : {"polish.nao.within_after", "tuned.arm.top.gain"})
+  for (const char* name : {"projected.nao.within_after", "tuned.arm.top.gain"})
     content.statistics["quantities"].erase(name);
   const std::string less = page(content);
   for (const char* unsaid : {"outliers]: NAO", "digits: arm ", "NAO reaches", "where the arm’s gains"})

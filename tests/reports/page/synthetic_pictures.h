@@ -25,7 +25,7 @@ class SyntheticPictures {
   const std::map<std::string, std::filesystem::path>& artifacts() const { return artifacts_; }
 
   void digits(int replication, int n) {
-    Hdf5Writer file(place("digits", replication));
+    Hdf5Writer file(place("digit_verdicts", replication));
     for (const char* who : {"hbr", "flat"}) {
       Rng rng(Seed(1).child(who).child(static_cast<std::uint64_t>(replication)));
       Array<std::uint8_t> image{{static_cast<std::size_t>(n), 28, 28}, {}};
@@ -141,9 +141,9 @@ class SyntheticPictures {
   }
 
   // A spiral, and an arm of eight links that turns beside it.
-  void strokes(int replication) {
+  void surest_digits(int replication) {
     constexpr int kPoints = 60, kLinks = 8;
-    Hdf5Writer file(place("strokes", replication));
+    Hdf5Writer file(place("surest_digits", replication));
     std::vector<std::uint8_t> label, good;
     std::vector<std::int64_t> id;
     std::vector<std::int32_t> points;
@@ -195,19 +195,19 @@ class SyntheticPictures {
     plane.write("points", {reach.size(), 2}, points.data());
     plane.write("distance", reach);
     plane.close();
-    Hdf5Writer polish(place("nao_polish", 0));
-    polish.attribute("settings.spacing", 0.01);
-    polish.write("arm_points", {reach.size(), 2}, points.data());
-    polish.write("before/nearest", before);
-    polish.write("after/nearest", after);
-    polish.close();
+    Hdf5Writer projected(place("nao_projected", 0));
+    projected.attribute("settings.spacing", 0.01);
+    projected.write("arm_points", {reach.size(), 2}, points.data());
+    projected.write("before/nearest", before);
+    projected.write("after/nearest", after);
+    projected.close();
   }
 
   void everything(int replications) {
     coverage();
     for (int r = 0; r < replications; ++r) {
       digits(r, 300);
-      strokes(r);
+      surest_digits(r);
       transfer(r, 100);
       dynamics(r, 12);
       tuned(r, 12);

@@ -18,7 +18,7 @@ TemplateContent content() {
   c.statistics = nlohmann::json::parse(R"({
     "quantities": {
       "layer2.n10.size": {"unit": "elites", "n": 3, "median": 1397, "q1": 1335, "q3": 1520, "min": 1300, "max": 1600},
-      "digits.hbr.good": {"unit": "", "n": 3, "median": 0.6, "q1": 0.55, "q3": 0.65, "min": 0.5, "max": 0.7},
+      "digit_verdicts.hbr.good": {"unit": "", "n": 3, "median": 0.6, "q1": 0.55, "q3": 0.65, "min": 0.5, "max": 0.7},
       "accuracy.n1": {"unit": "m^2", "n": 3, "median": 2.7e-4, "q1": 2.6e-4, "q3": 2.8e-4, "min": 1e-4, "max": 3e-4}},
     "numbers": {"transfer.nao.absolute_median": {"unit": "%", "value": 0.916}},
     "tests": {"accuracy.n1_vs_accuracy.n10": {"p": 7.066e-18, "a12": 1, "ratio": 3.88}}})");
@@ -38,7 +38,7 @@ TEST(Template, FillsInNumbers) {
   EXPECT_EQ(fill("{{stat:layer2.n10.size}} "), "1\u202f397 [1\u202f335; 1\u202f520] " + kRest);
   EXPECT_EQ(fill("{{stat:layer2.n10.size:n}} "), "3 " + kRest);
   EXPECT_EQ(fill("{{stat:accuracy.n1:median}} "), "2.70·10⁻⁴\u202fm² " + kRest);
-  EXPECT_EQ(fill("{{stat:digits.hbr.good:percent}} "), "60 [55; 65]\u202f% " + kRest);
+  EXPECT_EQ(fill("{{stat:digit_verdicts.hbr.good:percent}} "), "60 [55; 65]\u202f% " + kRest);
   EXPECT_EQ(fill("{{number:transfer.nao.absolute_median}} "), "0.916\u202f% " + kRest);
   EXPECT_EQ(fill("{{test:accuracy.n1_vs_accuracy.n10:p}} {{test:accuracy.n1_vs_accuracy.n10:ratio}} "),
             "7.1·10⁻¹⁸ 3.88 " + kRest);

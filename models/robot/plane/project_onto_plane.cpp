@@ -1,4 +1,4 @@
-#include "models/robot/plane/polish.h"
+#include "models/robot/plane/project_onto_plane.h"
 
 #include <cmath>
 
@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kUnit = 1e-4;  // m
 
-class Polish final : public ceres::CostFunction {
+class ProjectionCost final : public ceres::CostFunction {
  public:
-  Polish(const RobotOnPlane& robot, const Eigen::Vector3d& target) : robot_(robot), target_(target) {
+  ProjectionCost(const RobotOnPlane& robot, const Eigen::Vector3d& target) : robot_(robot), target_(target) {
     const int dof = static_cast<int>(robot.dof());
     set_num_residuals(3 + dof);
     mutable_parameter_block_sizes()->push_back(dof);
@@ -19,7 +19,7 @@ class Polish final : public ceres::CostFunction {
   bool Evaluate(const double* const* joints, double* residuals, double** jacobians) const override {
     const bool wanted = jacobians && jacobians[0];
     Eigen::MatrixXd slopes;
-    const Eigen::VectorXd all = polish_residuals(robot_, target_, joints[0], wanted ? &slopes : nullptr);
+    const Eigen::VectorXd all = projection_residuals(robot_, target_, joints[0], wanted ? &slopes : nullptr);
     Eigen::Map<Eigen::VectorXd>(residuals, all.size()) = all;
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     if (wanted) Eigen::Map<RowMajor>(jacobians[0], slopes.rows(), slopes.cols()) = slopes;
@@ -33,8 +33,8 @@ class Polish final : public ceres::CostFunction {
 
 }  // namespace
 
-Eigen::VectorXd polish_residuals(const RobotOnPlane& robot, const Eigen::Vector3d& target,
-                                 const double* joints, Eigen::MatrixXd* jacobian) {
+Eigen::VectorXd projection_residuals(const RobotOnPlane& robot, const Eigen::Vector3d& target,
+                                     const double* joints, Eigen::MatrixXd* jacobian) {
   const Eigen::Index dof = robot.dof();
   const Eigen::Map<const Eigen::VectorXd> q(joints, dof);
   const double share = 1 / std::sqrt(static_cast<double>(dof));  // the squares sum to the variance
@@ -52,11 +52,11 @@ Eigen::VectorXd polish_residuals(const RobotOnPlane& robot, const Eigen::Vector3
   return residuals;
 }
 
-Eigen::VectorXd polish(const RobotOnPlane& robot, const Eigen::Vector3d& target,
-                       const Eigen::VectorXd& start) {
+Eigen::VectorXd project_onto_plane(const RobotOnPlane& robot, const Eigen::Vector3d& target,
+                                   const Eigen::VectorXd& start) {
   Eigen::VectorXd joints = start;
   ceres::Problem problem;
-  problem.AddResidualBlock(new Polish(robot, target), nullptr, joints.data());
+  problem.AddResidualBlock(new ProjectionCost(robot, target), nullptr, joints.data());
   for (int k = 0; k < static_cast<int>(joints.size()); ++k) {
     problem.SetParameterLowerBound(joints.data(), k, robot.lower()[k]);
     problem.SetParameterUpperBound(joints.data(), k, robot.upper()[k]);

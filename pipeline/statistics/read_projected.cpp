@@ -7,7 +7,7 @@
 
 namespace hbr {
 
-void read_polish(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
+void read_projected(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
   for (const Artifact& artifact : artifacts) {
     const Hdf5Reader file(artifact.path);
     const double spacing = file.number_attribute("settings.spacing");

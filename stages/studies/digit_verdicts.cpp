@@ -1,4 +1,4 @@
-// Digits: what the judge says of every image in the repertoires of HBR and of the flat baseline.
+// What the judge says of every image in the repertoires of HBR and of the flat baseline.
 #include "models/judge/judge.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/core/check.h"
@@ -38,4 +38,6 @@ void run(hbr::StageRun& stage) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Digits before the judge", run); }
+int main(int argc, char** argv) {
+  return hbr::stage_main(argc, argv, "Verdicts of the judge on digits", run);
+}

@@ -1,4 +1,4 @@
-#include "models/robot/plane/polish.h"
+#include "models/robot/plane/project_onto_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -27,57 +27,57 @@ Eigen::Vector3d tip(const Eigen::VectorXd& joints) {
   return four().body().position(four().tip(), joints.data());
 }
 
-TEST(Polish, JacobianIsTheDifferenceQuotient) {
-  Rng rng(Seed(1).child("polish"));
+TEST(ProjectOntoPlane, JacobianIsTheDifferenceQuotient) {
+  Rng rng(Seed(1).child("projected"));
   for (int i = 0; i < 20; ++i) {
     const Eigen::VectorXd q = random_joints(rng);
     const Eigen::Vector3d target(.1, rng.uniform(-3, 3), rng.uniform(-3, 3));
     Eigen::MatrixXd jacobian;
-    polish_residuals(four(), target, q.data(), &jacobian);
+    projection_residuals(four(), target, q.data(), &jacobian);
     ASSERT_EQ(jacobian.rows(), 7);
     for (int k = 0; k < 4; ++k) {
       Eigen::VectorXd up = q, down = q;
       up[k] += 1e-5, down[k] -= 1e-5;
-      const Eigen::VectorXd slope =
-          (polish_residuals(four(), target, up.data()) - polish_residuals(four(), target, down.data())) /
-          2e-5;
+      const Eigen::VectorXd slope = (projection_residuals(four(), target, up.data()) -
+                                     projection_residuals(four(), target, down.data())) /
+                                    2e-5;
       EXPECT_LT((slope - jacobian.col(k)).norm(), 1e-3) << k;  // of 1e4 per radian
     }
   }
 }
 
-TEST(Polish, ResidualsAreTheDistanceAndTheVariance) {
-  Rng rng(Seed(2).child("polish"));
+TEST(ProjectOntoPlane, ResidualsAreTheDistanceAndTheVariance) {
+  Rng rng(Seed(2).child("projected"));
   const Eigen::VectorXd q = random_joints(rng);
   const Eigen::Vector3d target(0, 1, 1);
-  const Eigen::VectorXd residuals = polish_residuals(four(), target, q.data());
+  const Eigen::VectorXd residuals = projection_residuals(four(), target, q.data());
   EXPECT_NEAR(residuals.head<3>().norm(), (tip(q) - target).norm() / 1e-4, 1e-6);
   EXPECT_NEAR(residuals.tail(4).squaredNorm(), joint_variance(q.data(), 4), 1e-12);
 }
 
 // Whatever the target, in reach or out of it.
-TEST(Polish, StaysInTheLimitsAndNeverGoesFarther) {
-  Rng rng(Seed(3).child("polish"));
+TEST(ProjectOntoPlane, StaysInTheLimitsAndNeverGoesFarther) {
+  Rng rng(Seed(3).child("projected"));
   for (int i = 0; i < 500; ++i) {
     const Eigen::VectorXd start = random_joints(rng);
     const Eigen::Vector3d target(rng.uniform(-.1f, .1f), rng.uniform(-5, 5), rng.uniform(-5, 5));
-    const Eigen::VectorXd end = polish(four(), target, start);
+    const Eigen::VectorXd end = project_onto_plane(four(), target, start);
     EXPECT_TRUE((end.array() >= four().lower().array()).all());
     EXPECT_TRUE((end.array() <= four().upper().array()).all());
     EXPECT_LE((tip(end) - target).norm(), (tip(start) - target).norm());
-    EXPECT_EQ(polish(four(), tip(start), start), start);  // however unlike its joints are
+    EXPECT_EQ(project_onto_plane(four(), tip(start), start), start);  // however unlike its joints are
   }
 }
 
 // A few millimetres away: it arrives, and the joints to spare are spent on being alike.
-TEST(Polish, ArrivesWithJointsMoreAlike) {
-  Rng rng(Seed(4).child("polish"));
+TEST(ProjectOntoPlane, ArrivesWithJointsMoreAlike) {
+  Rng rng(Seed(4).child("projected"));
   int arrived = 0, alike = 0, tried = 0;
   for (int i = 0; i < 300; ++i) {
     const Eigen::VectorXd start = random_joints(rng);
     const Eigen::Vector3d target = tip(start) + Eigen::Vector3d(0, rng.uniform(-.003f, .003f), .002);
     if (target.norm() > 3.5 || target.norm() < .5) continue;
-    const Eigen::VectorXd end = polish(four(), target, start);
+    const Eigen::VectorXd end = project_onto_plane(four(), target, start);
     ++tried;
     arrived += (tip(end) - target).norm() < 1e-5;
     alike += joint_variance(end.data(), 4) <= joint_variance(start.data(), 4) + 1e-3;

@@ -9,12 +9,12 @@ namespace hbr {
 // joints' limits, with as little variance about their mean as a chain with joints to spare allows: bounded
 // least squares (Ceres, Levenberg-Marquardt) of the distance, in 0.1 mm, and of the joints' deviations from
 // their mean, in rad. Where that ends farther from the target than it began, it is `start` again.
-Eigen::VectorXd polish(const RobotOnPlane& robot, const Eigen::Vector3d& target,
-                       const Eigen::VectorXd& start);
+Eigen::VectorXd project_onto_plane(const RobotOnPlane& robot, const Eigen::Vector3d& target,
+                                   const Eigen::VectorXd& start);
 
 // What is minimised: residuals [3 + dof] and, where asked for, their derivative by the joints [3 + dof x
 // dof].
-Eigen::VectorXd polish_residuals(const RobotOnPlane& robot, const Eigen::Vector3d& target,
-                                 const double* joints, Eigen::MatrixXd* jacobian = nullptr);
+Eigen::VectorXd projection_residuals(const RobotOnPlane& robot, const Eigen::Vector3d& target,
+                                     const double* joints, Eigen::MatrixXd* jacobian = nullptr);
 
 }  // namespace hbr

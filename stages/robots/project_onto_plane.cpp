@@ -12,14 +12,14 @@
 namespace {
 
 // As of a layer of points, which it is for those that read it.
-struct PolishSlice : hbr::RunTable {
+struct ProjectionSlice : hbr::RunTable {
   std::string kind;
   hbr::PointsSettings layer;
   nlohmann::json body;
   double spacing = 0;
 };
 template <class Fields>
-void describe(Fields& f, PolishSlice& s) {
+void describe(Fields& f, ProjectionSlice& s) {
   describe_run(f, s);
   f.choice("kind", s.kind, {"points"}, "of layer");
   f.table("layer", s.layer, "its settings");
@@ -44,7 +44,7 @@ struct Errors {
 };
 
 void run(hbr::StageRun& stage) {
-  const auto s = stage.settings_as<PolishSlice>();
+  const auto s = stage.settings_as<ProjectionSlice>();
   const hbr::Frame frame{s.layer.half_side, 0};
   const auto body = hbr::make_body(s.body, stage.name(), stage);
   const hbr::RobotOnPlane& robot = hbr::on_plane(*body);
@@ -67,7 +67,9 @@ void run(hbr::StageRun& stage) {
     old_errors.set(i, hbr::point_errors(robot, place, joints));
     new_errors.set(i, hbr::point_errors(robot, place, hbr::project_point(robot, frame, after, row)));
   });
-  hbr::fill_gaps(robot, frame, arm.measures, static_cast<float>(s.spacing), after, seed_of(stage, s));
+  // The seed is that of the stage's former name, so that robots keep their points.
+  const hbr::Seed seed = hbr::Seed(s.seed).child(robot.name() + "_polish").child(s.replication);
+  hbr::fill_gaps(robot, frame, arm.measures, static_cast<float>(s.spacing), after, seed);
 
   hbr::Hdf5Writer file(stage.output());
   hbr::write_elites(file, after, {});

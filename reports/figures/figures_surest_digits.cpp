@@ -140,15 +140,15 @@ std::string cell(const Stroke& stroke) {
 
 }  // namespace
 
-Figure strokes_figure(const Evidence& evidence) {
-  Figure figure{.id = "strokes", .title = "The arm at work."};
+Figure surest_digits_figure(const Evidence& evidence) {
+  Figure figure{.id = "surest_digits", .title = "The arm at work."};
   figure.caption =
       "Of each class that the judge finds the digit of the first replication that it is surest of (grey "
       "where "
       "even that one is not good), drawn by the arm through all four layers; a class that is not there was "
       "not "
       "found. The circle is the arm’s base, pale lines are its earlier poses.";
-  const auto files = evidence.artifacts.replications("strokes");
+  const auto files = evidence.artifacts.replications("surest_digits");
   const std::vector<Stroke> strokes = files.empty() ? std::vector<Stroke>{} : read_strokes(files[0]);
   if (strokes.empty()) {
     figure.absent = "This run has no digits whose strokes could be shown.";
