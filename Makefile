@@ -47,7 +47,7 @@ $(foreach name,$(given),$(eval export GIVEN_$(name) = $$($(name))))
 export MNIST_DIR
 
 targets := help deps build data all test bench test-cluster sanitize fuzz mutate coverage format check-format status audit graph reference \
-  verify robot install check-targets check-releases check-bytes clean distclean
+  verify robot install check-targets check-odr check-releases check-bytes clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -90,6 +90,7 @@ help:
 	@echo 'make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
 	@echo 'make coverage        all tests, and BUILD/coverage/html: which lines they reach'
 	@echo 'make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors'
+	@echo 'make check-odr       compile and link everything without optimisation, then with the linker comparing definitions'
 	@echo 'make check-bytes     layers 1 to 3 by both compilers, for SAME: the same bytes?'
 	@echo 'make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap)'
 	@echo 'make format          clang-format on all sources; check-format only tells'
@@ -149,7 +150,7 @@ $(BUILD)/$(1)/build.ninja: | $(packages)
 	  { cat $(BUILD)/$(1).log >&2; exit 1; }
 	@printf '%s\n' $$(call quoted,$$(call kept,$(1))) >$(BUILD)/$(1)/settings.txt
 endef
-$(foreach preset,release sanitize sanitize-thread fuzz coverage,$(eval $(call configure,$(preset))))
+$(foreach preset,release sanitize sanitize-thread fuzz coverage plain odr,$(eval $(call configure,$(preset))))
 
 # compile(preset, target): Ninja tells its steps, and nothing where there are none.
 idle := ^ninja: (no work|Entering)|Re-checking globbed
@@ -272,6 +273,13 @@ TARGETS ?= x86-64 x86-64-v2 x86-64-v3 x86-64-v4 haswell sapphirerapids znver2 zn
 check-targets: $(packages)
 	@.ci/packages "$$GIVEN_DEPS" check-targets
 	@.ci/targets '$(BUILD)/targets' '$(COMPILERS)' '$(TARGETS)' '$(OBJECTS)'
+
+# What an optimised program hides: a function that no file defines, a name that two files mean differently. LINKED:
+# only these programs.
+LINKED ?= programs tests
+check-odr: $(packages) $(BUILD)/plain/build.ninja $(BUILD)/odr/build.ninja
+	@$(call compile,plain,$(LINKED))
+	@$(call compile,odr,$(LINKED))
 
 # The README's commands and all tests on a bare machine of each Debian release, as root.
 RELEASES ?= bookworm trixie

@@ -55,15 +55,15 @@ std::string replications(const Measured& m) {
   return fmt::format(", n = {} and {}", m.of.values.size(), m.to.values.size());
 }
 
-const char* in_words(Outcome outcome) {
+const char* in_words(CheckOutcome outcome) {
   switch (outcome) {
-    case Outcome::yes:
+    case CheckOutcome::yes:
       return "holds";
-    case Outcome::partly:
+    case CheckOutcome::partly:
       return "holds in part";
-    case Outcome::no:
+    case CheckOutcome::no:
       return "does not hold";
-    case Outcome::absent:
+    case CheckOutcome::absent:
       break;
   }
   return "not measured";
@@ -106,22 +106,22 @@ std::string capitalised(std::string text) {
 
 }  // namespace
 
-const char* outcome_name(Outcome outcome) {
+const char* outcome_name(CheckOutcome outcome) {
   switch (outcome) {
-    case Outcome::yes:
+    case CheckOutcome::yes:
       return "yes";
-    case Outcome::partly:
+    case CheckOutcome::partly:
       return "partly";
-    case Outcome::no:
+    case CheckOutcome::no:
       return "no";
-    case Outcome::absent:
+    case CheckOutcome::absent:
       break;
   }
   return "absent";
 }
 
 std::string check_sentence(const Check& check, const Measured& m) {
-  if (m.outcome == Outcome::absent) return fmt::format("{}: this run has no {}", check.words, m.absent);
+  if (m.outcome == CheckOutcome::absent) return fmt::format("{}: this run has no {}", check.words, m.absent);
   return fmt::format("{}: {}{}; asked: {}; {}", check.words, figures(check, m), replications(m),
                      asked(check, m), in_words(m.outcome));
 }
@@ -135,7 +135,7 @@ std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measu
   if (claim.checks.empty()) return least_replications(needs);
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < measured.size(); ++i)
-    if (measured[i].outcome != Outcome::absent)
+    if (measured[i].outcome != CheckOutcome::absent)
       parts.push_back(measured.size() == 1
                           ? figures(claim.checks[i], measured[i])
                           : claim.checks[i].words + ": " + figures(claim.checks[i], measured[i]));

@@ -16,11 +16,11 @@ struct Statistic {
   std::vector<double> values;
 };
 
-enum class Outcome { absent, yes, partly, no };
-const char* outcome_name(Outcome outcome);
+enum class CheckOutcome { absent, yes, partly, no };
+const char* outcome_name(CheckOutcome outcome);
 
 struct Measured {
-  Outcome outcome = Outcome::absent;
+  CheckOutcome outcome = CheckOutcome::absent;
   std::string absent;  // what is missing, where something is
   Statistic of, to;
   std::optional<double> x, p, a12;

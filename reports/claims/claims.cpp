@@ -76,9 +76,9 @@ Measured measure(const Check& check, const Statistics& statistics) {
   if (!m.x) {
     m.absent = check.kind + " of " + check.of;
   } else if (within(*m.x, check.reproduced)) {
-    m.outcome = significant(check, m) ? Outcome::yes : Outcome::partly;
+    m.outcome = significant(check, m) ? CheckOutcome::yes : CheckOutcome::partly;
   } else {
-    m.outcome = within(*m.x, check.partly) ? Outcome::partly : Outcome::no;
+    m.outcome = within(*m.x, check.partly) ? CheckOutcome::partly : CheckOutcome::no;
   }
   return m;
 }
@@ -87,9 +87,9 @@ Measured measure(const Check& check, const Statistics& statistics) {
 std::string verdict_of(const std::vector<Measured>& measured) {
   int made = 0, yes = 0, no = 0;
   for (const Measured& m : measured) {
-    made += m.outcome != Outcome::absent;
-    yes += m.outcome == Outcome::yes;
-    no += m.outcome == Outcome::no;
+    made += m.outcome != CheckOutcome::absent;
+    yes += m.outcome == CheckOutcome::yes;
+    no += m.outcome == CheckOutcome::no;
   }
   if (made == 0) return "";
   return yes == made ? "reproduced" : no == made ? "not" : "partly";
@@ -155,7 +155,7 @@ json evaluated(const Claim& claim, const ClaimFile& file, const Statistics& stat
   }
   const bool large_enough = std::ranges::all_of(found, &NeedFound::met);
   const bool complete =
-      std::ranges::none_of(measured, [](const Measured& m) { return m.outcome == Outcome::absent; });
+      std::ranges::none_of(measured, [](const Measured& m) { return m.outcome == CheckOutcome::absent; });
   const std::string indication = verdict_of(measured);
   const std::string decided = claim.checks.empty() ? "reproduced" : indication;
   return {{"id", claim.id},
