@@ -5,22 +5,6 @@
 #include <numeric>
 
 namespace hbr {
-namespace {
-
-// Appends the elites nearest to points at most `spacing` [m] apart along the segment, the start excluded, the
-// end included, repeats left out.
-void pass_along(const PointLayer& points, std::int32_t start, const Eigen::Vector2d& displacement,
-                double spacing, std::vector<std::int32_t>& way) {
-  const Eigen::Vector2d origin = points.position(start);
-  const int steps = std::max(1, static_cast<int>(std::ceil(displacement.norm() / spacing)));
-  std::int32_t here = start;
-  for (int i = 1; i <= steps; ++i) {
-    const std::int32_t next = points.nearest(origin + displacement * (static_cast<double>(i) / steps));
-    if (next != here) way.push_back(here = next);
-  }
-}
-
-}  // namespace
 
 void Executions::begin(const PointLayer& points, int n, Way way) {
   points_ = &points;
@@ -92,11 +76,30 @@ void Executions::displace(Group group, const Displacements& displacements, const
     for (const std::int32_t execution : group) way_[execution].push_back(at_[execution]);
 }
 
+// Points at most `spacing` [m] apart along each segment, its start excluded and its end included, are looked
+// up all at once; then each way goes on by the elites nearest to its own, repeats left out.
 void Executions::keep_way(Group group, const Displacements& displacements, const std::int32_t* which,
                           int repeat) {
-  for (std::size_t i = 0; i < group.size(); ++i)
-    pass_along(*points_, at_[group[i]], displacements.metres[which[i / repeat] * displacements.stride],
-               kept_.spacing, way_[group[i]]);
+  for (auto& coordinate : query_) coordinate.clear();
+  ends_.clear();
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const Eigen::Vector2d& displacement = displacements.metres[which[i / repeat] * displacements.stride];
+    const Eigen::Vector2d start = points_->position(at_[group[i]]);
+    const int steps = std::max(1, static_cast<int>(std::ceil(displacement.norm() / kept_.spacing)));
+    for (int step = 1; step <= steps; ++step) {
+      const Eigen::Vector2d place = start + displacement * (static_cast<double>(step) / steps);
+      const Eigen::Vector2f descriptor = points_->frame().point_descriptor(place).cast<float>();
+      for (int d = 0; d < 2; ++d) query_[d].push_back(descriptor[d]);
+    }
+    ends_.push_back(query_[0].size());
+  }
+  passed_.resize(query_[0].size());
+  points_->nearest(static_cast<int>(passed_.size()), {query_[0].data(), query_[1].data()}, passed_.data());
+  for (std::size_t i = 0, next = 0; i < group.size(); ++i) {
+    std::int32_t here = at_[group[i]];
+    for (; next < ends_[i]; ++next)
+      if (passed_[next] != here) way_[group[i]].push_back(here = passed_[next]);
+  }
 }
 
 std::span<const std::int32_t> Executions::stroke(int execution, int k) const {

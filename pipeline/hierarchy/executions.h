@@ -70,7 +70,10 @@ class Executions {
   Way kept_;
   std::vector<std::int32_t> at_, all_;
   std::vector<Eigen::Vector2d> origin_;
+  // Points to look up; where those of each execution of a group end, and the elites nearest to them.
   std::vector<float> query_[2];
+  std::vector<std::size_t> ends_;
+  std::vector<std::int32_t> passed_;
   int stops_ = 0;
   std::vector<std::vector<std::int32_t>> stop_;  // the first stops_ are in use
   std::vector<std::vector<std::int32_t>> way_;

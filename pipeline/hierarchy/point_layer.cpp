@@ -11,7 +11,7 @@ constexpr float kBeyond = 0.25f;
 
 PointLayer::PointLayer(const Elites& elites, const Robot& robot, const Frame& frame)
     : frame_(frame),
-      table_(elites.measures, -kBeyond, 1 + kBeyond, 8),
+      table_(elites.measures, -kBeyond, 1 + kBeyond),
       mean_(elites.size()),
       variance_(elites.size()) {
   position_.resize(elites.size(), 2);

@@ -11,7 +11,7 @@ namespace {
 template <int D>
 class CellTable final : public CommandTable {
  public:
-  CellTable(const Rows& rows, float low, float high, int levels) : table_(rows, low, high, levels) {}
+  CellTable(const Rows& rows, float low, float high) : table_(rows, low, high) {}
   void nearest(int n, const float* const* commands, std::int32_t* found) const override {
     std::array<const float*, D> coordinates;
     for (int d = 0; d < D; ++d) coordinates[d] = commands[d];
@@ -49,11 +49,11 @@ class PlainTable final : public CommandTable {
 std::unique_ptr<CommandTable> make_command_table(const Rows& rows, float low, float high) {
   switch (rows.cols()) {
     case 1:
-      return std::make_unique<CellTable<1>>(rows, low, high, 10);
+      return std::make_unique<CellTable<1>>(rows, low, high);
     case 2:
-      return std::make_unique<CellTable<2>>(rows, low, high, 8);
+      return std::make_unique<CellTable<2>>(rows, low, high);
     case 3:
-      return std::make_unique<CellTable<3>>(rows, low, high, 6);
+      return std::make_unique<CellTable<3>>(rows, low, high);
     default:
       return std::make_unique<PlainTable>(rows);
   }

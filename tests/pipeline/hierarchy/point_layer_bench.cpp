@@ -50,14 +50,14 @@ void nearest_rings(benchmark::State& state) {
 BENCHMARK(nearest_rings);
 
 void nearest_table(benchmark::State& state) {
-  const NearestTable<2> table(evolved_layers().point_elites.measures, -0.25f, 1.25f, 8);
+  const NearestTable<2> table(evolved_layers().point_elites.measures, -0.25f, 1.25f);
   look_up(state, 10000, [&](const float* query) { return table.nearest(query); });
 }
 BENCHMARK(nearest_table);
 
 void nearest_batch(benchmark::State& state) {
   constexpr int kQueries = 10000;
-  const NearestTable<2> table(evolved_layers().point_elites.measures, -0.25f, 1.25f, 8);
+  const NearestTable<2> table(evolved_layers().point_elites.measures, -0.25f, 1.25f);
   const Rows ends = line_ends(kQueries);
   const Eigen::VectorXf x = ends.col(0), y = ends.col(1);
   const int at_once = static_cast<int>(state.range(0));
