@@ -114,10 +114,36 @@ struct Pull {
   // Newton's step, or nothing to speak of where the sum of distances is as good as flat in some direction.
   bool newton_step(Point<D>& step) const {
     const Eigen::Matrix<float, D, D> curvature = weights * Eigen::Matrix<float, D, D>::Identity() - spread;
-    if (here > 0 || !(curvature.determinant() > 1e-4f * weights * weights * (D > 2 ? weights : 1)))
-      return false;
-    step = curvature.inverse() * force;
-    return true;
+    const float least = 1e-4f * weights * weights * (D > 2 ? weights : 1);
+    if constexpr (D > 3) {
+      step = force;
+      return here == 0 && eliminate(curvature, step) > least;
+    } else {
+      if (here > 0 || !(curvature.determinant() > least)) return false;
+      step = curvature.inverse() * force;
+      return true;
+    }
+  }
+
+  // Solves matrix * x = right, leaves x in `right` and returns the determinant; the matrix is positive
+  // definite, so that no pivot is sought. Eigen's own way for four rows has fused multiply-adds where the
+  // processor has them: other bytes on other machines.
+  static float eliminate(Eigen::Matrix<float, D, D> matrix, Point<D>& right) {
+    float determinant = 1;
+    for (int pivot = 0; pivot < D; ++pivot) {
+      determinant *= matrix(pivot, pivot);
+      for (int row = pivot + 1; row < D; ++row) {
+        const float factor = matrix(row, pivot) / matrix(pivot, pivot);
+        for (int column = pivot + 1; column < D; ++column)
+          matrix(row, column) -= factor * matrix(pivot, column);
+        right[row] -= factor * right[pivot];
+      }
+    }
+    for (int row = D - 1; row >= 0; --row) {
+      for (int column = row + 1; column < D; ++column) right[row] -= matrix(row, column) * right[column];
+      right[row] /= matrix(row, row);
+    }
+    return determinant;
   }
 };
 

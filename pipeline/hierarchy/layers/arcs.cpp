@@ -1,6 +1,5 @@
 #include "pipeline/hierarchy/layers/arcs.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -21,10 +20,14 @@ ArcLines decode_turn(const Frame& frame, const float* genes) {
   const double heading = (2.0 * genes[0] - 1) * std::numbers::pi,
                turn = (2.0 * genes[2] - 1) * std::numbers::pi;
   const double length = genes[1] * frame.longest_line;
+  // Written out: Eigen's rotations take fused multiply-adds where there are any, which gives other bytes.
+  const double cosine = std::cos(turn), sine = std::sin(turn);
   ArcLines lines;
   lines[0] = length * Eigen::Vector2d(std::cos(heading), std::sin(heading));
-  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(turn).toRotationMatrix();
-  for (int i = 1; i < kArcSegments; ++i) lines[i] = rotation * lines[i - 1];
+  for (int i = 1; i < kArcSegments; ++i) {
+    const Eigen::Vector2d& last = lines[i - 1];
+    lines[i] = {cosine * last.x() - sine * last.y(), sine * last.x() + cosine * last.y()};
+  }
   return lines;
 }
 

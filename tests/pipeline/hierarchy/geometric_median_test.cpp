@@ -67,8 +67,10 @@ void agrees_with_a_search() {
 }
 
 TEST(GeometricMedian, AgreesWithASearchOfTheCost) {
+  agrees_with_a_search<1>();
   agrees_with_a_search<2>();
   agrees_with_a_search<3>();
+  agrees_with_a_search<4>();
 }
 
 TEST(GeometricMedian, KnownCases) {
