@@ -34,7 +34,7 @@ std::string InkSheet::svg_image(double x, double y, double width, double height)
 
 std::string encode_png(const cv::Mat& pixels) {
   std::vector<std::uint8_t> bytes;
-  if (!cv::imencode(".png", pixels, bytes, {cv::IMWRITE_PNG_COMPRESSION, 9}))
+  if (!cv::imencode(".png", pixels, bytes, {cv::IMWRITE_PNG_COMPRESSION, 5}))
     throw InputError("OpenCV cannot write a PNG: is it built with libpng?");
   return {bytes.begin(), bytes.end()};
 }
