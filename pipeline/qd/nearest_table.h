@@ -86,7 +86,8 @@ class NearestTable {
     for (int begin = 0; begin < n; begin += Chunk) {
       const int count = std::min(Chunk, n - begin);
       Cell cell[Chunk];
-      for (int i = 0; i < count; ++i) cell[i] = cell_[cell_of([&](int d) { return query[d][begin + i]; })];
+      for (int i = 0; i < count; ++i)
+        cell[i] = cell_[static_cast<std::size_t>(cell_of([&](int d) { return query[d][begin + i]; }))];
       float least[Chunk];
       std::int32_t nearest[Chunk];
       bool any_spilled = false;
@@ -121,16 +122,17 @@ class NearestTable {
   }
 
   template <class Query>
-  std::uint32_t cell_of(Query&& query) const {
-    std::uint32_t cell = 0;
+  std::int32_t cell_of(Query&& query) const {
+    const auto cells = static_cast<float>(cells_);
+    std::int32_t cell = 0;
     bool inside = true;
     for (int d = 0; d < D; ++d) {
       const float c = (query(d) - low_) * per_cell_;
-      inside &= c >= 0 && c < static_cast<float>(cells_);
-      cell = cell * static_cast<std::uint32_t>(cells_) +
-             static_cast<std::uint32_t>(static_cast<std::int32_t>(inside ? c : 0.0f));
+      const bool within = (c >= 0) & (c < cells);
+      inside = inside & within;
+      cell = cell * cells_ + static_cast<std::int32_t>(within ? c : 0.0f);
     }
-    return inside ? cell : static_cast<std::uint32_t>(cell_.size() - 1);
+    return inside ? cell : static_cast<std::int32_t>(cell_.size() - 1);
   }
 
   std::int32_t nearest_spilled(std::size_t run, const float* query) const {

@@ -114,7 +114,7 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   expect_strokes_of_the_surest(experiment.out("one"));
   DescribedFormat().expect(experiment.out("one"));
   const RobotArtifacts robots(experiment.out("one"));
-  for (const char* robot : {"nao", "nao_left", "industrial"}) {
+  for (const char* robot : {"nao", "industrial"}) {
     SCOPED_TRACE(robot);
     robots.expect_points(robot);
     robots.expect_transfer(robot);

@@ -38,6 +38,15 @@ class TinyProfile {
   void set_everywhere(const std::string& key, const std::string& value) {
     text_ = std::regex_replace(text_, assignment(key), fmt::format("\n{} = {}", key, value));
   }
+  // Takes away the robot of this name, which is not the last one.
+  void without_robot(const std::string& robot) {
+    const std::string header = "[[robots]]\n";
+    const std::size_t from = text_.find(header + "name = \"" + robot + "\""),
+                      next = from == std::string::npos ? from : text_.find(header, from + 1);
+    if (next == std::string::npos)
+      throw std::runtime_error("the profile has no robot " + robot + " before others");
+    text_.erase(from, next - from);
+  }
   void write(const fs::path& path) const { std::ofstream(path) << text_; }
 
  private:
@@ -79,6 +88,7 @@ class TinyExperiment {
     profile.set("robot_layer1", "generations", "200");  // few random configurations come near a plane
     profile.set("robot_plane", "samples", "20000");
     profile.set("robot_plane", "refined", "1");
+    profile.without_robot("nao_left");  // as good as the other arm's, and as long to look for a plane
   }
 
   fs::path out(const std::string& name) const { return folder_.path() / name; }
