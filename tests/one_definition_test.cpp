@@ -32,7 +32,9 @@ std::string bare(const std::string& source) {
     if (source.compare(at, 2, "//") == 0 || (c == '#' && (line == std::string::npos || code[line] == '\n'))) {
       at = std::min(source.find('\n', at), source.size());
     } else if (source.compare(at, 2, "R\"") == 0) {
-      skip_to(")" + source.substr(at + 2, source.find('(', at) - at - 2) + "\"");
+      std::string end = ")";
+      end.append(source, at + 2, source.find('(', at) - at - 2);
+      skip_to(end += '"');
     } else if (c == '"' ||
                (c == '\'' && (at == 0 || !std::isalnum(static_cast<unsigned char>(source[at - 1]))))) {
       for (++at; at < source.size() && source[at] != c; ++at) at += source[at] == '\\';
