@@ -65,7 +65,7 @@ class NearestTable {
   template <int Bits>
   static constexpr Cell kSpilled = (Cell{1} << Bits) - 1;
 
-  // As many along a dimension, a power of two, as make 8 cells a point; few enough to stay in the caches.
+  // As many along a dimension, a power of two, as make 8 cells a point, but no more than 2^22 in all: 32 MB.
   static int cells_for(Eigen::Index points) {
     const auto total = [](int cells) {
       double product = 1;
