@@ -42,6 +42,9 @@ class Sha256 {
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
 };
 
+// Few calls, and few pages of memory that have never been touched.
+constexpr std::size_t kReadAtOnce = std::size_t{1} << 18;
+
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags)
@@ -60,6 +63,17 @@ class Descriptor {
     while ((got = ::read(id_, to, bytes)) < 0)
       if (errno != EINTR) fail(path_, "can't read");
     return static_cast<std::size_t>(got);
+  }
+  // Whether there are so many.
+  bool read_at(std::uint64_t offset, void* to, std::size_t bytes) const {
+    for (std::size_t done = 0; done < bytes;) {
+      const ssize_t got =
+          ::pread(id_, static_cast<char*>(to) + done, bytes - done, static_cast<off_t>(offset + done));
+      if (got < 0 && errno != EINTR) fail(path_, "can't read");
+      if (got == 0) return false;
+      if (got > 0) done += static_cast<std::size_t>(got);
+    }
+    return true;
   }
   void write(std::string_view text) const {
     while (!text.empty()) {
@@ -81,7 +95,7 @@ class Descriptor {
 std::string sha256_of_file(const fs::path& path, std::uint64_t& bytes) {
   const Descriptor file(path, O_RDONLY);
   Sha256 hash;
-  std::vector<char> buffer(std::size_t{1} << 20);
+  std::vector<char> buffer(kReadAtOnce);
   while (const std::size_t got = file.read(buffer.data(), buffer.size())) {
     hash.add(buffer.data(), got);
     bytes += got;
@@ -145,25 +159,32 @@ Content content_of(const fs::path& path) {
 }
 
 std::string sha256_of_program(const fs::path& path) {
-  std::string all = read_whole(path);
+  const Descriptor file(path, O_RDONLY);
   Elf64_Ehdr header;
-  if (all.size() < sizeof header || std::memcmp(all.data(), ELFMAG, SELFMAG) != 0) return sha256_of_text(all);
-  std::memcpy(&header, all.data(), sizeof header);
+  if (!file.read_at(0, &header, sizeof header) || std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0) {
+    std::uint64_t bytes = 0;
+    return sha256_of_file(path, bytes);
+  }
+  const auto read = [&](std::uint64_t at, void* to, std::size_t bytes) {
+    if (!file.read_at(at, to, bytes)) throw InputError("{}: this program is cut short", path.string());
+  };
+  std::vector<Elf64_Phdr> segments(header.e_phnum);
+  read(header.e_phoff, segments.data(), segments.size() * sizeof(Elf64_Phdr));
   // Where the sections are, debug information among them, stands in the header, which is in the first
   // segment.
   header.e_shoff = 0;
   header.e_shnum = header.e_shstrndx = 0;
-  std::memcpy(all.data(), &header, sizeof header);
   Sha256 hash;
-  for (std::size_t i = 0; i < header.e_phnum; ++i) {
-    Elf64_Phdr segment;
-    const std::size_t at = header.e_phoff + i * sizeof segment;
-    if (at + sizeof segment > all.size()) throw InputError("{}: this program is cut short", path.string());
-    std::memcpy(&segment, all.data() + at, sizeof segment);
+  std::vector<char> buffer(kReadAtOnce);
+  for (const Elf64_Phdr& segment : segments) {
     if (segment.p_type != PT_LOAD) continue;
-    if (segment.p_offset > all.size() || segment.p_filesz > all.size() - segment.p_offset)
-      throw InputError("{}: this program is cut short", path.string());
-    hash.add(all.data() + segment.p_offset, segment.p_filesz);
+    for (std::uint64_t done = 0, bytes; done < segment.p_filesz; done += bytes) {
+      bytes = std::min<std::uint64_t>(buffer.size(), segment.p_filesz - done);
+      read(segment.p_offset + done, buffer.data(), bytes);
+      if (segment.p_offset + done == 0 && bytes >= sizeof header)
+        std::memcpy(buffer.data(), &header, sizeof header);
+      hash.add(buffer.data(), bytes);
+    }
   }
   return hash.hex();
 }
