@@ -15,7 +15,6 @@ struct PenPlacement {
 class Decoder {
  public:
   virtual ~Decoder() = default;
-  virtual int genes() const = 0;         // of the longest genome
   virtual int command_size() const = 0;  // dimensions of each command
   virtual int max_commands() const = 0;  // of the longest genome
   // Whether a command is a displacement of the pen from where it is [m], which layer 1 carries out, instead

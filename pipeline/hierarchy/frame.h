@@ -13,9 +13,6 @@ struct Frame {
   double half_side;     // L, m: the drawing area is [-L, L]^2
   double longest_line;  // rho, m: the longest displacement that a line may ask for along an axis
   LineRange line_range = LineRange::kDisc;
-  int segments = 5;  // lines of an arc (paper, section 4.3)
-
-  double longest_arc() const { return segments * longest_line; }  // m
 
   // Layer 1: position P [m] <-> descriptor.
   Eigen::Vector2d point_descriptor(const Eigen::Vector2d& p) const {

@@ -96,7 +96,7 @@ ArcErrors arc_errors(const Frame& frame, const Rows& commands, const Side& origi
                errors.promised_centre[at] =
                    static_cast<float>((other_centre - frame.point(promise.head<2>())).norm());
                errors.promised_length[at] =
-                   static_cast<float>(std::abs(other_shape.length - promise.z() * frame.longest_arc()));
+                   static_cast<float>(std::abs(other_shape.length - promise.z() * longest_arc(frame)));
              });
   return errors;
 }

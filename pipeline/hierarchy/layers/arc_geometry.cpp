@@ -58,7 +58,7 @@ struct Descriptor3 {
 inline Descriptor3 descriptor(const Frame& frame, const Place& p) {
   const double distance = std::sqrt(p.x * p.x + p.y * p.y), most = frame.half_side;
   const double shorten = distance > most ? most / distance : 1.0;
-  const double length = p.length / frame.longest_arc();
+  const double length = p.length / longest_arc(frame);
   return {(p.x * shorten + most) / (2 * most), (p.y * shorten + most) / (2 * most),
           length < 1 ? length : 1.0};
 }

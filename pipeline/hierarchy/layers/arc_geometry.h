@@ -12,8 +12,9 @@
 
 namespace hbr {
 
-inline constexpr int kArcSegments = 5;
-using ArcPoints = std::array<Eigen::Vector2d, kArcSegments + 1>;  // m
+inline constexpr int kArcSegments = 5;  // lines of an arc
+inline double longest_arc(const Frame& frame) { return kArcSegments * frame.longest_line; }  // m
+using ArcPoints = std::array<Eigen::Vector2d, kArcSegments + 1>;                             // m
 
 // What C is: the centre of the circle fitted to the points, or their mean.
 enum class ArcCentre { kCircle, kCentroid };

@@ -58,7 +58,6 @@ ArcReading arc_reading(const ArcReadingSettings& settings);
 class ArcDecoder final : public Decoder {
  public:
   ArcDecoder(const Frame& frame, const ArcController& controller) : frame_(frame), controller_(controller) {}
-  int genes() const override { return controller_.genes; }
   int command_size() const override { return 2; }
   int max_commands() const override { return kArcSegments; }
   int decode(const float* genome, int length, double* commands) const override;

@@ -41,7 +41,6 @@ class DigitDecoder final : public Decoder {
  public:
   static constexpr int kHead = 3, kBlock = 3, kMaxArcs = 3;
   DigitDecoder(const Frame& frame, OutOfRange out_of_range) : frame_(frame), out_of_range_(out_of_range) {}
-  int genes() const override { return kHead + kMaxArcs * kBlock; }
   int command_size() const override { return 3; }
   int max_commands() const override { return kMaxArcs; }
   int decode(const float* genome, int length, double* commands) const override;

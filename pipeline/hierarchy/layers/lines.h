@@ -33,7 +33,6 @@ Eigen::Vector2d decode_line(const Frame& frame, const float* genes);
 class LineDecoder final : public Decoder {
  public:
   explicit LineDecoder(const Frame& frame) : frame_(frame) {}
-  int genes() const override { return 2; }
   int command_size() const override { return 2; }
   int max_commands() const override { return 1; }
   bool relative() const override { return true; }
