@@ -31,7 +31,7 @@ std::vector<Panel> learning_panel(const StatisticsView& statistics, Table& table
     plot.bands.push_back(*band);
   }
   if (plot.bands.empty()) return {};
-  return {{"Learning", draw(plot, "autoencoder-learning"), 2}};
+  return {{"Learning", plot_script(plot, "autoencoder-learning"), 2}};
 }
 
 Panel latent_panel(const Hdf5Reader& file, Table& table) {
@@ -71,8 +71,7 @@ Panel latent_panel(const Hdf5Reader& file, Table& table) {
         left + (x + 1) / 2 * kSide, (1 - y) / 2 * kSide, (1 - y) / 2 * kSide + 4.7, digit);
   }
   return {dim > 2 ? "Test images in the first two latent dimensions" : "Test images in the latent space",
-          {width, kSide, body},
-          2};
+          Drawing{width, kSide, body}, 2};
 }
 
 std::vector<Panel> kept_panel(const StatisticsView& statistics, Table& table) {
@@ -85,7 +84,7 @@ std::vector<Panel> kept_panel(const StatisticsView& statistics, Table& table) {
     plot.series[0].values.push_back(100 * summarise(kept, "kept_of_class").median);
     table.add("Kept by the cut", plot.groups.back(), digit, "% of the class", plot.series[0].values.back());
   }
-  return {{"Training images kept by the cut", draw(plot, "autoencoder-kept"), 2}};
+  return {{"Training images kept by the cut", plot_script(plot, "autoencoder-kept"), 2}};
 }
 
 Panel reconstruction_panel(const Hdf5Reader& file) {
@@ -110,7 +109,7 @@ Panel reconstruction_panel(const Hdf5Reader& file) {
   std::string body = sheet.svg_image(kEdge, 0, kWidth - kEdge, 2 * cell);
   body += svg_text("written", 0, 0.5 * cell + 5, 16, Colour::grey, Align::left);
   body += svg_text("decoded", 0, 1.5 * cell + 5, 16, Colour::grey, Align::left);
-  return {"Test images and what the network makes of them", {kWidth, 2 * cell, body}, 6};
+  return {"Test images and what the network makes of them", Drawing{kWidth, 2 * cell, body}, 6};
 }
 
 }  // namespace

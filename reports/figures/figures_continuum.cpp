@@ -166,7 +166,7 @@ Figure continuum_figure(const Evidence& evidence) {
     body += svg_text(contender.label, 0, top + kCell / 2 + 5, 16, contender.colour, Align::left);
     top += kCell + 6;
   }
-  figure.panels.push_back({"A walk through the latent space", {kWidth, top, body}, 6});
+  figure.panels.push_back({"A walk through the latent space", Drawing{kWidth, top, body}, 6});
   return figure;
 }
 

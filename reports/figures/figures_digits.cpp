@@ -40,7 +40,7 @@ Panel mosaic(const std::string& title, const Drawings& digits, Table& table) {
     body += svg_text(label, kEdge + share * kSide, kSide + 16, 13, Colour::grey, along);
     body += svg_text(label, kEdge - 5, 12 + (1 - share) * (kSide - 12), 13, Colour::grey, Align::right);
   }
-  return {title, {kEdge + kSide, kEdge + kSide, body}, 3};
+  return {title, Drawing{kEdge + kSide, kEdge + kSide, body}, 3};
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ Figure judge_figure(const Evidence& evidence) {
     figure.absent = "No judge has looked at digits in this run.";
     return figure;
   }
-  figure.panels.push_back({"Good digits by class", draw(bars, "judge-classes"), 2});
+  figure.panels.push_back({"Good digits by class", plot_script(bars, "judge-classes"), 2});
   const std::vector<std::string> good = {"digit_verdicts.hbr.good", "digit_verdicts.flat.good"},
                                  fitness = {"layer4.mean", "flat_digits.mean"};
   for (const auto& [title, unit, scale, names] :

@@ -84,7 +84,7 @@ Panel scatter(const std::string& who, const Replications& drawings, const Bounds
                      Align::right);
   body += svg_text("the network’s error per pixel", kLeft + width / 2, kTop + height + 35, 13, Colour::ink,
                    Align::centre);
-  return {contender.label + ": the judge’s confidence", {kWidth, kPlotHeight + 60, body}, 3};
+  return {contender.label + ": the judge’s confidence", Drawing{kWidth, kPlotHeight + 60, body}, 3};
 }
 
 // Share of good digits among those of about the same error, a band over replications for each contender.
@@ -116,7 +116,7 @@ std::vector<Panel> good_by_error(const std::vector<Replications>& all, const Bou
     plot.bands.push_back(band);
   }
   if (plot.bands.empty()) return {};
-  return {{"Good digits by the network’s error", draw(plot, "fooling-good"), 2}};
+  return {{"Good digits by the network’s error", plot_script(plot, "fooling-good"), 2}};
 }
 
 // For each class as the judge sees it the two digits of least error, one good and one refused.
@@ -145,7 +145,8 @@ Panel pairs(const std::string& who, const Replications& drawings) {
     body += sheets[row].svg_image(kEdge, top, 10 * kSide, kSide);
     body += svg_text(row == 0 ? "good" : "refused", 0, top + kSide / 2 + 5, 14, Colour::grey, Align::left);
   }
-  return {contender(who).label + ": what the network likes best", {kWidth, 2 * (kSide + kText), body}, 3};
+  return {contender(who).label + ": what the network likes best", Drawing{kWidth, 2 * (kSide + kText), body},
+          3};
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ Panel numbers_panel(const std::string& title, const std::filesystem::path& path,
   }
   const double rows = std::ceil(std::max(cells, 1) / static_cast<double>(kNumberColumns));
   return {title,
-          {kNumberColumns * (kNumberCell + kNumberGap) - kNumberGap,
-           rows * (kNumberCell + kNumberGap) - kNumberGap, body},
+          Drawing{kNumberColumns * (kNumberCell + kNumberGap) - kNumberGap,
+                  rows * (kNumberCell + kNumberGap) - kNumberGap, body},
           3};
 }
 

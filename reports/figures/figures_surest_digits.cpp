@@ -169,8 +169,8 @@ Figure surest_digits_figure(const Evidence& evidence) {
   }
   const double rows = std::ceil(static_cast<double>(strokes.size()) / kColumns);
   figure.panels.push_back({"Digits as strokes",
-                           {kColumns * (kStrokesCell + kStrokesGap) - kStrokesGap,
-                            rows * (kStrokesCell + kStrokesGap) - kStrokesGap, body},
+                           Drawing{kColumns * (kStrokesCell + kStrokesGap) - kStrokesGap,
+                                   rows * (kStrokesCell + kStrokesGap) - kStrokesGap, body},
                            6});
   return figure;
 }

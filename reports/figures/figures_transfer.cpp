@@ -85,7 +85,7 @@ Panel pairs_panel(const std::string& title, const std::vector<Pair>& pairs, cons
     body += svg_text("arm", 0, top + 0.5 * kCell + 4, 13, Colour::blue, Align::left);
     body += svg_text(robot, 0, top + 1.5 * kCell + 4, 13, Colour::vermilion, Align::left);
   }
-  return {title, {kWidth, kRows * kRow, body}, 3};
+  return {title, Drawing{kWidth, kRows * kRow, body}, 3};
 }
 
 // What a digit's image shows decides how much of it can differ.

@@ -17,7 +17,8 @@ Panel gallery_panel(const std::string& title, const std::vector<GalleryRow>& row
     labels += svg_text(rows[r].label, 0, middle * kCell + 4, 13, rows[r].colour, Align::left);
   }
   const double height = static_cast<double>(rows.size()) * kCell;
-  return {title, {kWidth, height, sheet.svg_image(kEdge, 0, kGalleryColumns * kCell, height) + labels}, 3};
+  return {title, Drawing{kWidth, height, sheet.svg_image(kEdge, 0, kGalleryColumns * kCell, height) + labels},
+          3};
 }
 
 }  // namespace hbr

@@ -75,7 +75,7 @@ std::vector<Panel> draw_boxes(const StatisticsView& statistics, const std::vecto
       plot.brackets.push_back({i - 1, i, "p = " + format_p(exact ? *test->p_exact : test->p)});
     }
   }
-  return {{options.title, draw(plot, id_of(options.figure, options.title)), options.span}};
+  return {{options.title, plot_script(plot, id_of(options.figure, options.title)), options.span}};
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ std::vector<Panel> progress_panels(const StatisticsView& statistics, const std::
       add_band(table, title, *band);
       plot.bands.push_back(*band);
     }
-    if (!plot.bands.empty()) panels.push_back({title, draw(plot, id_of(figure, title)), 2});
+    if (!plot.bands.empty()) panels.push_back({title, plot_script(plot, id_of(figure, title)), 2});
   }
   return panels;
 }

@@ -62,7 +62,9 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
       {"speed", speed_html(content.speed)},
       {"provenance", inventory(content)},
       {"hero", hero(content.artifacts)}};
-  for (const Figure& figure : all_figures({content.artifacts, StatisticsView(content.statistics)})) {
+  std::vector<Figure> figures = all_figures({content.artifacts, StatisticsView(content.statistics)});
+  draw_plots(figures);
+  for (const Figure& figure : figures) {
     write_figure(figure, folder / "figures");
     page.figures[figure.id] = figure_html(figure);
   }

@@ -37,6 +37,19 @@ void add_band(Table& table, const std::string& panel, const Band& band) {
   }
 }
 
+void draw_plots(std::vector<Figure>& figures) {
+  std::vector<Panel*> panels;
+  std::vector<PlotScript> scripts;
+  for (Figure& figure : figures)
+    for (Panel& panel : figure.panels)
+      if (const auto* script = std::get_if<PlotScript>(&panel.drawing)) {
+        panels.push_back(&panel);
+        scripts.push_back(*script);
+      }
+  std::vector<Drawing> drawings = draw(scripts);
+  for (std::size_t i = 0; i < panels.size(); ++i) panels[i]->drawing = std::move(drawings[i]);
+}
+
 std::string figure_html(const Figure& figure) {
   std::string html = fmt::format("<figure id=\"figure-{}\">\n", figure.id);
   if (!figure.absent.empty()) {
@@ -44,8 +57,9 @@ std::string figure_html(const Figure& figure) {
   } else {
     html += "<div class=\"panels\">\n";
     for (const Panel& panel : figure.panels)
-      html += fmt::format("<div class=\"panel span{}\"><h4>{}</h4>{}</div>\n", panel.span,
-                          escape_html(panel.title), inline_svg(panel.drawing, panel.title));
+      html +=
+          fmt::format("<div class=\"panel span{}\"><h4>{}</h4>{}</div>\n", panel.span,
+                      escape_html(panel.title), inline_svg(std::get<Drawing>(panel.drawing), panel.title));
     html += "</div>\n" + figure.notes;
   }
   html += fmt::format("<figcaption><b>{}</b> {}", escape_html(figure.title), figure.caption);
@@ -67,8 +81,9 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder) {
       x = 0, y += row_height, row_height = 0, used = 0;
     }
     const double shown = (kPage + kGap) / 6 * panel.span - kGap;
-    const double height = panel.drawing.height * shown / panel.drawing.width;
-    placed.push_back({panel.drawing, panel.title, x, y, shown, height});
+    const Drawing& drawing = std::get<Drawing>(panel.drawing);
+    const double height = drawing.height * shown / drawing.width;
+    placed.push_back({drawing, panel.title, x, y, shown, height});
     x += shown + kGap;
     used += panel.span;
     row_height = std::max(row_height, height + kTitleHeight + kGap);

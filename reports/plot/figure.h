@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "reports/plot/plot.h"
@@ -12,7 +13,7 @@ namespace hbr {
 
 struct Panel {
   std::string title;
-  Drawing drawing;
+  std::variant<Drawing, PlotScript> drawing;
   int span = 2;  // of the six columns of a row: 2, 3, 4 or 6
 };
 
@@ -41,7 +42,11 @@ struct Figure {
   std::string absent = {};  // why it is not there (a sentence); then it has no panels
 };
 
-// <figure>...</figure> for the page: the panels, or the sentence that says why there is nothing.
+// Draws the plots of all figures at once.
+void draw_plots(std::vector<Figure>& figures);
+
+// Of figures whose plots are drawn: <figure>...</figure> for the page: the panels, or the sentence that says
+// why there is nothing.
 std::string figure_html(const Figure& figure);
 
 // Writes folder/ID.svg, .pdf (by rsvg-convert) and .csv; nothing for an absent figure.

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "pipeline/core/check.h"
+#include "reports/plot/external.h"
 #include "reports/plot/plot_frame.h"
 
 namespace hbr {
@@ -61,9 +62,11 @@ std::vector<int> bracket_levels(const std::vector<Bracket>& brackets) {
   return levels;
 }
 
+constexpr const char* kSvgHead = "<?xml";  // every drawing begins so
+
 }  // namespace
 
-Drawing draw(const BandPlot& plot, const std::string& prefix) {
+PlotScript plot_script(const BandPlot& plot, const std::string& prefix) {
   HBR_CHECK(!plot.bands.empty(), "no band in plot {}", prefix);
   double low = INFINITY, high = -INFINITY, last_x = 0;
   for (const Band& band : plot.bands) {
@@ -102,10 +105,10 @@ Drawing draw(const BandPlot& plot, const std::string& prefix) {
     lines += fmt::format("$b{} using 1:3 with lines lw 2 lc rgb '{}', ", i, colour);
   }
   lines.resize(lines.size() - 2);
-  return run_gnuplot(script + "plot " + areas + lines + "\n", prefix);
+  return {script + "plot " + areas + lines + "\n", prefix};
 }
 
-Drawing draw(const BoxPlot& plot, const std::string& prefix) {
+PlotScript plot_script(const BoxPlot& plot, const std::string& prefix) {
   HBR_CHECK(!plot.boxes.empty(), "no box in plot {}", prefix);
   // On a logarithmic axis 0 is as far below as this.
   double floor = INFINITY;
@@ -162,10 +165,10 @@ Drawing draw(const BoxPlot& plot, const std::string& prefix) {
         gnuplot_quoted(text), static_cast<double>(left + right) / 2 + 1, y + 0.04);
   }
   plots.resize(plots.size() - 2);
-  return run_gnuplot(script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix);
+  return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix};
 }
 
-Drawing draw(const BarPlot& plot, const std::string& prefix) {
+PlotScript plot_script(const BarPlot& plot, const std::string& prefix) {
   HBR_CHECK(!plot.series.empty(), "no series in plot {}", prefix);
   double high = 0;
   for (const BarSeries& series : plot.series) high = std::max(high, *std::ranges::max_element(series.values));
@@ -191,7 +194,23 @@ Drawing draw(const BarPlot& plot, const std::string& prefix) {
       script += fmt::format("set label {} at screen {}, screen 0.96 left font ',bold' textcolor rgb '{}'\n",
                             gnuplot_quoted(label), 0.5 + 0.2 * static_cast<double>(i), hex(colour));
   }
-  return run_gnuplot(script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix);
+  return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix};
+}
+
+std::vector<Drawing> draw(const std::vector<PlotScript>& scripts) {
+  std::string all;
+  for (const PlotScript& script : scripts) all += "reset\n" + script.text;
+  const std::string answer = scripts.empty() ? "" : run_program({"gnuplot", "-d", "-"}, all);
+  std::vector<Drawing> drawings;
+  for (std::size_t begin = answer.find(kSvgHead); begin != std::string::npos;) {
+    const std::size_t end = answer.find(kSvgHead, begin + 1);
+    if (drawings.size() == scripts.size()) break;
+    drawings.push_back(parse_svg(answer.substr(begin, end - begin), scripts[drawings.size()].prefix));
+    begin = end;
+  }
+  if (drawings.size() != scripts.size())
+    throw InputError("gnuplot made {} drawings of {} scripts", drawings.size(), scripts.size());
+  return drawings;
 }
 
 }  // namespace hbr

@@ -60,9 +60,15 @@ struct BarPlot {
   double width = 400;
 };
 
-// `prefix` makes the ids of the drawing unique in a page. 280 units high.
-Drawing draw(const BandPlot& plot, const std::string& prefix);
-Drawing draw(const BoxPlot& plot, const std::string& prefix);
-Drawing draw(const BarPlot& plot, const std::string& prefix);
+// What gnuplot is told. `prefix` makes the ids of the drawing unique in a page.
+struct PlotScript {
+  std::string text, prefix;
+};
+PlotScript plot_script(const BandPlot& plot, const std::string& prefix);
+PlotScript plot_script(const BoxPlot& plot, const std::string& prefix);
+PlotScript plot_script(const BarPlot& plot, const std::string& prefix);
+
+// Their drawings, 280 units high, by one call of gnuplot, which takes longer to start than to draw.
+std::vector<Drawing> draw(const std::vector<PlotScript>& scripts);
 
 }  // namespace hbr

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "reports/plot/colour.h"
-#include "reports/plot/external.h"
 #include "reports/text/format.h"
 
 namespace hbr {
@@ -64,10 +63,6 @@ std::string plot_head(double width, const std::string& unit, double right_margin
       "set label {8} at screen 0.01, screen {9} left font ',11' textcolor rgb '{10}'\n",
       width, kPlotHeight, kLeft / width, 1 - right_margin / width, 1 - kTop / kPlotHeight,
       bottom_margin / kPlotHeight, ink, faint, gnuplot_quoted(unit), 1 - 11 / kPlotHeight, hex(Colour::grey));
-}
-
-Drawing run_gnuplot(const std::string& script, const std::string& prefix) {
-  return parse_svg(run_program({"gnuplot", "-d", "-"}, script), prefix);
 }
 
 }  // namespace hbr

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include "reports/plot/svg.h"
-
 namespace hbr {
 
 inline constexpr double kPlotHeight = 280;
@@ -24,8 +22,5 @@ std::string gnuplot_quoted(const std::string& text);
 
 // Terminal of that width, margins (right: units left free for labels), border, grid, the unit above the axis.
 std::string plot_head(double width, const std::string& unit, double right_margin, double bottom_margin);
-
-// Runs a script through gnuplot.
-Drawing run_gnuplot(const std::string& script, const std::string& prefix);
 
 }  // namespace hbr

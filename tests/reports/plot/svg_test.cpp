@@ -37,40 +37,44 @@ TEST(Svg, ColoursFollowThePage) {
 
 TEST(Plot, TwoPlotsShareNoId) {
   const auto plot = [](const char* prefix) {
-    return draw(BoxPlot{.unit = "m²",
-                        .boxes = {{"a\nb", Colour::blue, box({1, 2, 3, 4, 50}, "values"), {1, 2, 3, 4, 50}},
-                                  {"\"c\" \\d", Colour::orange, box({2, 3, 4}, "values"), {}}},
-                        .brackets = {{0, 1, "p = 0.10"}}},
-                prefix)
-        .body;
+    return plot_script(
+        BoxPlot{.unit = "m²",
+                .boxes = {{"a\nb", Colour::blue, box({1, 2, 3, 4, 50}, "values"), {1, 2, 3, 4, 50}},
+                          {"\"c\" \\d", Colour::orange, box({2, 3, 4}, "values"), {}}},
+                .brackets = {{0, 1, "p = 0.10"}}},
+        prefix);
   };
-  const std::string one = plot("one");
+  const std::vector<Drawing> drawings = draw({plot("one"), plot("two"), plot("one")});
+  const std::string one = drawings[0].body;
   EXPECT_THAT(one, HasSubstr("id='one-gpDot'"));
   EXPECT_THAT(one, HasSubstr("p = 0.10"));
   EXPECT_THAT(one, HasSubstr("\"c\" \\d"));
   EXPECT_THAT(one, Not(HasSubstr("Gnuplot")));
-  EXPECT_EQ(one, plot("one"));
-  EXPECT_THAT(plot("two"), Not(HasSubstr("one-")));
+  EXPECT_THAT(drawings[1].body, Not(HasSubstr("one-")));
+  // Nothing of one plot is left for the next.
+  EXPECT_EQ(drawings[2].body, one);
+  EXPECT_EQ(draw({plot("one")})[0].body, one);
 }
 
 // gnuplot only draws: a box's edges stand where its quartiles are.
 TEST(Plot, AxisTakesOutPowersOfTen) {
-  const Drawing d =
-      draw(BandPlot{.x_label = "generation",
-                    .unit = "m²",
-                    .bands = {{"n", Colour::blue, {0, 10}, {1e-4, 2e-4}, {1e-4, 2e-4}, {1e-4, 2e-4}}}},
-           "p");
+  const Drawing d = draw({plot_script(
+      BandPlot{.x_label = "generation",
+               .unit = "m²",
+               .bands = {{"n", Colour::blue, {0, 10}, {1e-4, 2e-4}, {1e-4, 2e-4}, {1e-4, 2e-4}}}},
+      "p")})[0];
   EXPECT_THAT(d.body, HasSubstr("10⁻⁴ m²"));
   EXPECT_EQ(d.width, 400);
 }
 
 TEST(Plot, NothingButZerosCanBeDrawn) {
   for (const bool from_zero : {true, false})
-    EXPECT_NO_THROW(draw(BoxPlot{.unit = "%",
-                                 .boxes = {{"a", Colour::blue, box({0, 0, 0}, "values"), {0, 0, 0}}},
-                                 .brackets = {},
-                                 .from_zero = from_zero},
-                         "p"));
+    EXPECT_NO_THROW(
+        draw({plot_script(BoxPlot{.unit = "%",
+                                  .boxes = {{"a", Colour::blue, box({0, 0, 0}, "values"), {0, 0, 0}}},
+                                  .brackets = {},
+                                  .from_zero = from_zero},
+                          "p")}));
 }
 
 }  // namespace
