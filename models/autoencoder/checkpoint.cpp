@@ -11,6 +11,8 @@
 namespace hbr::net {
 namespace {
 
+constexpr double kNotTested = -1;  // stands for the error of an epoch without a test
+
 void write_floats(Hdf5Writer& file, const char* name, const Floats& values) {
   file.write(name, {values.size()}, values.data());
 }
@@ -52,7 +54,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& iden
   std::vector<double> errors;
   for (const EpochReport& e : state.epochs) {
     epoch_samples.push_back(e.samples);
-    errors.insert(errors.end(), {e.train_error, e.test_error});
+    errors.insert(errors.end(), {e.train_error, e.test_error.value_or(kNotTested)});
   }
   file.write("epochs/samples", epoch_samples);
   file.write("epochs/errors", errors);
@@ -85,8 +87,10 @@ void read_checkpoint(const std::filesystem::path& path, const std::string& ident
     throw bad("is damaged");
   read.adam.steps = steps[0];
   std::copy(kept.begin(), kept.end(), read.kept_per_class.begin());
-  for (std::size_t i = 0; i < epoch_samples.size(); ++i)
-    read.epochs.push_back({static_cast<int>(i) + 1, epoch_samples[i], errors[2 * i], errors[2 * i + 1]});
+  for (std::size_t i = 0; i < epoch_samples.size(); ++i) {
+    read.epochs.push_back({static_cast<int>(i) + 1, epoch_samples[i], errors[2 * i], {}});
+    if (errors[2 * i + 1] != kNotTested) read.epochs.back().test_error = errors[2 * i + 1];
+  }
   read.network.refresh();
   state = std::move(read);
 }

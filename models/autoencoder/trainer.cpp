@@ -16,7 +16,7 @@ using net::TrainingState;
 
 // Shares of a batch whose gradients are worked out apart and summed in this order: the bound of the threads
 // that help, and part of what the result is.
-constexpr int kGradientSlots = 2;
+constexpr int kGradientSlots = 4;
 // Steps from which on a network that does no better than the mean image has failed.
 constexpr std::int64_t kStepsToLearn = 1000;
 
@@ -34,7 +34,8 @@ class Trainer {
     report.epoch = static_cast<int>(state_.epochs.size()) + 1;
     report.samples = static_cast<std::int64_t>(state_.samples.size());
     report.train_error = learn(report.epoch);
-    report.test_error = evaluate(report.epoch);
+    if (report.epoch == 1 || report.epoch == settings_.epochs || report.epoch % settings_.test_every == 0)
+      report.test_error = evaluate(report.epoch);
     state_.epochs.push_back(report);
     if (report.epoch == settings_.cut_after && report.epoch < settings_.epochs) cut();
   }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct AutoencoderSettings {
   double leak = 0.1;
   double output_bias = -2;
   std::int64_t training_samples = 0;
+  int test_every = 1;
 };
 
 template <class Fields>
@@ -44,6 +46,8 @@ void describe(Fields& f, AutoencoderSettings& s) {
            "bias of the output at the start, about the logit of the mean brightness");
   f.number("training_samples", s.training_samples, Range{0, 1e9},
            "how many of the training images to use, from the first; 0 for all");
+  f.number("test_every", s.test_every, Range{1, 1e5},
+           "epochs from one test to the next; the first and the last are always tested");
 }
 
 // Images of 28 x 28 bytes and what they show (0 to 9).
@@ -56,8 +60,8 @@ struct ImageSet {
 struct EpochReport {
   int epoch = 0;  // from 1
   std::int64_t samples = 0;
-  double train_error = 0;  // mean squared error per pixel, of each batch before its step
-  double test_error = 0;   // after the epoch
+  double train_error = 0;            // mean squared error per pixel, of each batch before its step
+  std::optional<double> test_error;  // after the epoch, where it was tested
 };
 
 struct TrainedAutoencoder {
@@ -74,8 +78,8 @@ struct TrainingHooks {
   std::filesystem::path checkpoint;
 };
 
-// Throws InputError where the training diverges or collapses (see collapse.h). The result depends on
-// settings, seed and images only, not on the number of threads.
+// Throws InputError where the training diverges or, at a test, has collapsed (see collapse.h). The result
+// depends on settings, seed and images only, not on the number of threads.
 TrainedAutoencoder train_autoencoder(const AutoencoderSettings& settings, Seed seed, const ImageSet& train,
                                      const ImageSet& test, Workers& workers, const TrainingHooks& hooks = {});
 

@@ -26,17 +26,20 @@ ImageSet set_of(const LabelledImages& half) {
 }
 
 void write_course(Hdf5Writer& file, const TrainedAutoencoder& trained) {
-  std::vector<std::int64_t> epoch, samples;
+  std::vector<std::int64_t> epoch, samples, tested;
   std::vector<double> train_error, test_error;
   for (const EpochReport& e : trained.epochs) {
     epoch.push_back(e.epoch);
     samples.push_back(e.samples);
     train_error.push_back(e.train_error);
-    test_error.push_back(e.test_error);
+    if (!e.test_error) continue;
+    tested.push_back(e.epoch);
+    test_error.push_back(*e.test_error);
   }
   file.write("training/epoch", epoch);
   file.write("training/samples", samples);
   file.write("training/train_error", train_error);
+  file.write("training/tested", tested);
   file.write("training/test_error", test_error);
   file.write("training/kept_per_class", {10}, trained.kept_per_class.data());
 }

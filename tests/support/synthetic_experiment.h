@@ -44,6 +44,7 @@ class SyntheticExperiment : public SyntheticRobots {
       file.write("training/epoch", epoch);
       file.write("training/samples", samples);
       file.write("training/train_error", train);
+      file.write("training/tested", epoch);
       file.write("training/test_error", test);
       file.write("training/kept_per_class", kept);
       file.write("latent/position", latent);

@@ -30,7 +30,7 @@ struct Set {
 AutoencoderSettings small(int epochs) {
   AutoencoderSettings s;
   s.epochs = epochs;
-  s.batch = 50;  // two slots of 32 and 18 images
+  s.batch = 50;  // four shares: three of 16 images, one of 2
   s.halve_every = 2;
   s.cut_after = 2;
   return s;
@@ -58,7 +58,7 @@ TEST(Trainer, LearnsAFewImages) {
   const auto trained = train_autoencoder(settings, Seed(1), train.set(), train.set(), workers);
   ASSERT_EQ(trained.epochs.size(), 20u);
   EXPECT_LT(trained.epochs.back().train_error, 0.3 * trained.epochs.front().train_error);
-  EXPECT_LT(trained.epochs.back().test_error, 0.3 * trained.epochs.front().test_error);
+  EXPECT_LT(*trained.epochs.back().test_error, 0.3 * *trained.epochs.front().test_error);
   EXPECT_THAT(trained.kept_per_class, testing::Each(1.));
 }
 
@@ -106,6 +106,25 @@ TEST(Trainer, TheRateIsHalvedAfterItsEpochs) {
   EXPECT_EQ(trained(2, 2), trained(2, 9));
 }
 
+TEST(Trainer, TestsTheFirstTheLastAndSomeEpochs) {
+  const Set train(60, 1), test(10, 2);
+  Workers workers(1);
+  const auto trained = [&](int test_every) {
+    AutoencoderSettings settings = small(5);
+    settings.test_every = test_every;
+    return train_autoencoder(settings, Seed(1), train.set(), test.set(), workers);
+  };
+  const auto all = trained(1), some = trained(3);
+  for (std::size_t e = 0; e < 5; ++e) {
+    ASSERT_TRUE(all.epochs[e].test_error);
+    if (e == 0 || e == 2 || e == 4)
+      EXPECT_EQ(some.epochs[e].test_error, all.epochs[e].test_error);
+    else
+      EXPECT_FALSE(some.epochs[e].test_error);
+  }
+  EXPECT_EQ(some.autoencoder.network().parameters, all.autoencoder.network().parameters);
+}
+
 // In the order of the set, two neighbours would share every batch and changing their places would change
 // little but rounding.
 TEST(Trainer, BatchesAreShuffled) {
@@ -138,23 +157,25 @@ TEST(Trainer, ThreadsLeaveNoTrace) {
 TEST(Trainer, GoesOnFromACheckpointToTheSameBytes) {
   const Set train(100, 1), test(40, 2);
   Workers workers(1);
+  AutoencoderSettings five = small(5);
+  five.test_every = 2;
   TrainingHooks hooks;
   hooks.checkpoint = std::filesystem::path(testing::TempDir()) / "autoencoder_checkpoint.h5";
   std::filesystem::remove(hooks.checkpoint);
-  const auto whole = train_autoencoder(small(5), Seed(1), train.set(), test.set(), workers);
+  const auto whole = train_autoencoder(five, Seed(1), train.set(), test.set(), workers);
 
   struct Killed {};
   for (int killed_after : {1, 3}) {
     hooks.on_epoch = [&](const EpochReport& e) {
       if (e.epoch == killed_after) throw Killed();
     };
-    EXPECT_THROW(train_autoencoder(small(5), Seed(1), train.set(), test.set(), workers, hooks), Killed);
+    EXPECT_THROW(train_autoencoder(five, Seed(1), train.set(), test.set(), workers, hooks), Killed);
   }
   std::vector<int> epochs;
   std::vector<std::string> messages;
   hooks.on_epoch = [&](const EpochReport& e) { epochs.push_back(e.epoch); };
   hooks.on_message = [&](const std::string& line) { messages.push_back(line); };
-  const auto resumed = train_autoencoder(small(5), Seed(1), train.set(), test.set(), workers, hooks);
+  const auto resumed = train_autoencoder(five, Seed(1), train.set(), test.set(), workers, hooks);
   EXPECT_THAT(epochs, testing::ElementsAre(4, 5));
   EXPECT_THAT(messages, testing::IsEmpty());
   EXPECT_EQ(resumed.autoencoder.network().parameters, whole.autoencoder.network().parameters);

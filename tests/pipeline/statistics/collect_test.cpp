@@ -199,6 +199,43 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
   EXPECT_DOUBLE_EQ(value("rarest"), 10.0 * std::ranges::min(goods) / all);
 }
 
+// Trained for four epochs, tested after some of them; what is wrong with it, or its curves.
+TEST(Collect, LearningCurvesWhereTheyWereTested) {
+  TemporaryFolder folder;
+  const auto collected = [&](const std::vector<std::int64_t>& tested, const std::vector<double>& errors) {
+    const std::filesystem::path path = folder.path() / "training.h5";
+    Hdf5Writer file(path);
+    file.write("training/epoch", std::vector<std::int64_t>{1, 2, 3, 4});
+    file.write("training/samples", std::vector<std::int64_t>{8, 8, 8, 4});
+    file.write("training/train_error", std::vector<double>{.4, .3, .2, .1});
+    file.write("training/tested", tested);
+    file.write("training/test_error", errors);
+    file.write("training/kept_per_class", std::vector<double>(10, 0.5));
+    file.write("latent/position", std::vector<float>{0.5f});
+    file.close();
+    return collect_statistics("tiny", {{"autoencoder/00.h5", path}});
+  };
+  const json found = collected({1, 2, 4}, {.45, .35, .15});
+  const json& curve = found["curves"]["autoencoder"];
+  EXPECT_EQ(curve["at"], json({1., 2., 4.}));
+  EXPECT_EQ(curve["test_error"]["median"], json({.45, .35, .15}));
+  EXPECT_EQ(curve["train_error"]["median"], json({.4, .3, .1}));
+  EXPECT_EQ(found["quantities"]["autoencoder.test_error"]["median"], .15);
+  const auto refusal = [&](const std::vector<std::int64_t>& tested, const std::vector<double>& errors) {
+    try {
+      collected(tested, errors);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal({1, 4}, {.1}), testing::HasSubstr("differ in length"));
+  EXPECT_THAT(refusal({}, {}), testing::HasSubstr("are empty"));
+  for (const std::vector<std::int64_t>& tested : {std::vector<std::int64_t>{1, 2}, {0, 4}, {2, 1, 4}, {4, 4}})
+    EXPECT_THAT(refusal(tested, std::vector<double>(tested.size(), .1)),
+                testing::HasSubstr("training/tested: expected some of training/epoch"));
+}
+
 TEST(Collect, RefusesWhatIsNotAsDescribed) {
   TemporaryFolder folder;
   const auto refuses = [&](const std::string& name, const auto& fill) {
