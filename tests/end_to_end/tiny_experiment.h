@@ -86,7 +86,7 @@ class TinyExperiment {
     profile.set_everywhere("generations", "20");
     profile.set_everywhere("samples", "3");
     profile.set("robot_layer1", "generations", "200");  // few random configurations come near a plane
-    profile.set("robot_plane", "samples", "20000");
+    profile.set("robot_plane", "samples", "5000");
     profile.set("robot_plane", "refined", "1");
     profile.without_robot("nao_left");  // as good as the other arm's, and as long to look for a plane
   }
