@@ -14,7 +14,11 @@ Eigen::Vector3f to_linear(const Eigen::Vector3f& c) {
 }
 
 std::vector<Triangle> triangles_of(const std::vector<Posed>& bodies, bool solid) {
+  std::size_t count = 0;
+  for (const Posed& body : bodies)
+    for (const Mesh& mesh : body.meshes) count += (mesh.opacity >= 1) == solid ? mesh.triangles.size() : 0;
   std::vector<Triangle> result;
+  result.reserve(count);
   for (const Posed& body : bodies) {
     const Eigen::Isometry3f pose = body.pose.cast<float>();
     for (const Mesh& mesh : body.meshes) {
