@@ -20,6 +20,8 @@ struct RankSum {
 };
 
 inline constexpr std::size_t kExactLimit = 200;
+// A test of fewer values on either side says nothing that could be shown: two against two give 1/3 at least.
+inline constexpr std::size_t kFewestToTest = 3;
 
 // Throws InputError where a sample is empty or a value is not finite.
 RankSum rank_sum(std::span<const double> a, std::span<const double> b);

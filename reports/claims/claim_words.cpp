@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "pipeline/statistics/names.h"
+#include "pipeline/statistics/rank_sum.h"
 #include "reports/text/format.h"
 
 namespace hbr {
@@ -26,47 +26,18 @@ std::string figures(const Check& check, const Measured& m) {
                                : format_quartiles(m.of.median, m.of.q1, m.of.q3, m.of.unit);
   const std::string pair = fmt::format("{} against {}", format_quantity(m.of.median, m.of.unit),
                                        format_quantity(m.to.median, m.to.unit));
-  const std::string p = m.p && check.p_below < 1 ? ", p = " + format_number(*m.p) : "";
+  const auto tested = shown_p(m);
+  const std::string p = tested && check.p_below < 1 ? ", p = " + format_p(*tested) : "";
   if (check.kind == "a12") return fmt::format("{} (A12 = {}{})", pair, format_number(*m.x), p);
   return fmt::format("{} ({}{})", in_unit(check, m, *m.x), pair, p);
 }
 
-std::string asked(const Check& check, const Measured& m) {
-  const double low = check.reproduced[0], high = check.reproduced[1];
-  std::string range;
-  if (check.kind == "difference" && low == -high)
-    range = "at most " + in_unit(check, m, high) + " either way";
-  else if (low == high)
-    range = in_unit(check, m, low);
-  else if (std::isinf(high) || (check.kind == "a12" && high == 1))
-    range = "at least " + in_unit(check, m, low);
-  else if (low == 0)  // what claims are about is never negative
-    range = "at most " + in_unit(check, m, high);
-  else
-    range = fmt::format("{} to {}", format_number(low), in_unit(check, m, high));
-  if (check.kind == "a12") range = "A12 " + range;
-  return check.p_below < 1 ? range + " and p < " + format_number(check.p_below) : range;
-}
-
+// "n = 4", "n = 4 and 2"; "" of a single number.
 std::string replications(const Measured& m) {
   if (m.of.values.empty()) return "";
   if (m.to.values.empty() || m.to.values.size() == m.of.values.size())
-    return fmt::format(", n = {}", m.of.values.size());
-  return fmt::format(", n = {} and {}", m.of.values.size(), m.to.values.size());
-}
-
-const char* in_words(CheckOutcome outcome) {
-  switch (outcome) {
-    case CheckOutcome::yes:
-      return "holds";
-    case CheckOutcome::partly:
-      return "holds in part";
-    case CheckOutcome::no:
-      return "does not hold";
-    case CheckOutcome::absent:
-      break;
-  }
-  return "not measured";
+    return fmt::format("n = {}", m.of.values.size());
+  return fmt::format("n = {} and {}", m.of.values.size(), m.to.values.size());
 }
 
 // "50 replications (this run: 3)": of each unit the need that is greatest.
@@ -99,9 +70,16 @@ std::string least_replications(const std::vector<NeedFound>& needs) {
   return least ? format_number(*least) + " replications" : "–";
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
+// "2 of 3 checks hold, 1 in part, 1 was not measured."
+std::string tally(const std::vector<Measured>& measured) {
+  const auto count = [&](CheckOutcome outcome) {
+    return std::ranges::count(measured, outcome, &Measured::outcome);
+  };
+  std::string text = fmt::format("{} of {} {}", count(CheckOutcome::yes), measured.size(),
+                                 measured.size() == 1 ? "check holds" : "checks hold");
+  if (const auto n = count(CheckOutcome::partly)) text += fmt::format(", {} in part", n);
+  if (const auto n = count(CheckOutcome::absent)) text += fmt::format(", {} could not be measured", n);
+  return text + ".";
 }
 
 }  // namespace
@@ -120,10 +98,31 @@ const char* outcome_name(CheckOutcome outcome) {
   return "absent";
 }
 
-std::string check_sentence(const Check& check, const Measured& m) {
-  if (m.outcome == CheckOutcome::absent) return fmt::format("{}: this run has no {}", check.words, m.absent);
-  return fmt::format("{}: {}{}; asked: {}; {}", check.words, figures(check, m), replications(m),
-                     asked(check, m), in_words(m.outcome));
+std::optional<double> shown_p(const Measured& m) {
+  return std::min(m.of.values.size(), m.to.values.size()) < kFewestToTest ? std::nullopt : m.p;
+}
+
+std::string check_ours(const Check& check, const Measured& m) {
+  if (m.outcome == CheckOutcome::absent) return fmt::format("this run has no {}", m.absent);
+  const std::string n = replications(m);
+  return figures(check, m) + (n.empty() ? "" : ", " + n);
+}
+
+std::string check_asked(const Check& check, const Measured& m) {
+  const double low = check.reproduced[0], high = check.reproduced[1];
+  std::string range;
+  if (check.kind == "difference" && low == -high)
+    range = "at most " + in_unit(check, m, high) + " either way";
+  else if (low == high)
+    range = in_unit(check, m, low);
+  else if (std::isinf(high) || (check.kind == "a12" && high == 1))
+    range = "at least " + in_unit(check, m, low);
+  else if (low == 0)  // what claims are about is never negative
+    range = "at most " + in_unit(check, m, high);
+  else
+    range = fmt::format("{} to {}", format_number(low), in_unit(check, m, high));
+  if (check.kind == "a12") range = "A12 " + range;
+  return check.p_below < 1 ? range + fmt::format(" and p < {}", check.p_below) : range;
 }
 
 std::string check_figure(const Check& check, const Measured& m) {
@@ -142,15 +141,14 @@ std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measu
   return parts.empty() ? "–" : fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::string reason(const Claim& claim, const std::vector<Measured>& measured,
-                   const std::vector<NeedFound>& needs, const std::string& indication) {
+std::string reason(const std::vector<Measured>& measured, const std::vector<NeedFound>& needs,
+                   const std::string& indication) {
   std::vector<std::string> sentences;
   if (const std::string lacking = shortfalls(needs); !lacking.empty()) {
     sentences.push_back("Decided by a run of " + lacking + ".");
     if (!indication.empty()) sentences.push_back(fmt::format("At this size it would read: {}.", indication));
   }
-  for (std::size_t i = 0; i < measured.size(); ++i)
-    sentences.push_back(capitalised(check_sentence(claim.checks[i], measured[i])) + ".");
+  if (!measured.empty()) sentences.push_back(tally(measured));
   if (sentences.empty()) sentences.push_back("The run is as large as the paper's.");
   return fmt::format("{}", fmt::join(sentences, " "));
 }

@@ -33,15 +33,19 @@ struct NeedFound {
   bool met = false;
 };
 
-// "reference against N = 10: 325 times; asked: at least 500; in part".
-std::string check_sentence(const Check& check, const Measured& measured);
+// The p-value, where there are kFewestToTest replications of both.
+std::optional<double> shown_p(const Measured& measured);
+// What was found, with the replications: "325 times (50 000 elites against 154), n = 50"; or what is missing.
+std::string check_ours(const Check& check, const Measured& measured);
+// When it counts as reproduced: "at least 100 times and p < 0.05".
+std::string check_asked(const Check& check, const Measured& measured);
 // "325 times", "A12 0.98": what was computed; only where it was.
 std::string check_figure(const Check& check, const Measured& measured);
 // The figures alone.
 std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measured,
                           const std::vector<NeedFound>& needs);
-// What is too small, if anything is, and every check's sentence.
-std::string reason(const Claim& claim, const std::vector<Measured>& measured,
-                   const std::vector<NeedFound>& needs, const std::string& indication);
+// What is too small, if anything is, and how many checks hold.
+std::string reason(const std::vector<Measured>& measured, const std::vector<NeedFound>& needs,
+                   const std::string& indication);
 
 }  // namespace hbr

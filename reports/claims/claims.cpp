@@ -127,12 +127,13 @@ json check_json(const Check& check, const Measured& m) {
                  {"partly", range_json(check.partly)},
                  {"p_below", check.p_below},
                  {"outcome", outcome_name(m.outcome)},
-                 {"sentence", check_sentence(check, m)}};
+                 {"asked", check_asked(check, m)},
+                 {"ours", check_ours(check, m)}};
   if (m.x) {
     result["x"] = *m.x;
     result["figure"] = check_figure(check, m);
   }
-  if (m.p) result["p"] = *m.p;
+  if (const auto p = shown_p(m)) result["p"] = *p;
   if (m.a12) result["a12"] = *m.a12;
   return result;
 }
@@ -166,7 +167,7 @@ json evaluated(const Claim& claim, const ClaimFile& file, const Statistics& stat
           {"ours", ours_in_words(claim, measured, found)},
           {"verdict", large_enough && complete ? decided : "not at this size"},
           {"indication", indication},
-          {"reason", reason(claim, measured, found, indication)},
+          {"reason", reason(measured, found, indication)},
           {"sources", sources},
           {"checks", checks},
           {"needs", needs}};

@@ -15,11 +15,13 @@ namespace hbr {
 //               this size" (the run is too small for the claim, or lacks what it is about)
 //   indication  what the verdict would be without regard to size; "" where nothing was measured. A p-value is
 //               then only asked to be as small as the test can give for so few replications.
-//   reason      a sentence made from the numbers
+//   reason      what is too small, and how many checks hold
 //   sources     names of the statistics used
-//   checks      [{words, kind, of, to, reproduced, partly, p_below, x, figure, p, a12, outcome, sentence}],
-//               outcome "yes", "partly", "no" or "absent"; x, figure (x in its unit), p and a12 where there
-//               are such; infinite ends are null
+//   checks      [{words, kind, of, to, reproduced, partly, p_below, asked, ours, x, figure, p, a12,
+//   outcome}]:
+//               asked and ours say in words when it counts as reproduced and what was found; outcome is
+//               "yes", "partly", "no" or "absent"; x, figure (x in its unit), p (of kFewestToTest
+//               replications and more) and a12 where there are such; infinite ends are null
 //   needs       [{of, at_least, found, met}], found is null where the statistic is absent
 //
 // Throws InputError where the file or the statistics are not as described.

@@ -52,15 +52,15 @@ std::string cell_html(const json& cell, const json& base, bool is_base, const st
   if (verdict.empty()) return head + ">–</td>";
   if (!is_base && cell == base) return head + " class=\"same\">as run</td>";
   const bool moved = !is_base && verdict != base.at("verdict").get<std::string>();
-  return fmt::format("{}{}>{}<br>{}</td>", head, moved ? " class=\"moved\"" : "", verdict_badge(verdict),
-                     figures_html(cell));
+  return fmt::format("{}{}>{}<br>{}</td>", head, moved ? " class=\"moved\"" : "",
+                     verdict_badge(verdict, "a claim"), figures_html(cell));
 }
 
 std::string row_html(const json& row, const json& variations) {
   const json& cells = row.at("cells");
   const bool moves = row.at("moves");
   std::string html =
-      fmt::format("<tr{}><td>{} <div class=\"place\"><a href=\"#claim-{}\">{}</a>{}</div></td>",
+      fmt::format("<tr{}><th scope=\"row\">{} <div class=\"place\"><a href=\"#claim-{}\">{}</a>{}</div></th>",
                   moves ? " class=\"moves\"" : "", escape_html(row.at("statement").get<std::string>()),
                   escape_html(row.at("id").get<std::string>()),
                   escape_html(row.at("place").get<std::string>()), moves ? " · <b>moves</b>" : "");
@@ -107,7 +107,7 @@ std::string sensitivity_html(const json& table) {
     const std::string name = escape_html(v.at("name").get<std::string>());
     const std::string changes = escape_html(v.at("changes").get<std::string>());
     readings += fmt::format("<dt><code>{}</code></dt><dd>{}</dd>\n", name, changes);
-    heads += fmt::format("<th title=\"{}\"><code>{}</code></th>", changes, name);
+    heads += fmt::format("<th scope=\"col\" title=\"{}\"><code>{}</code></th>", changes, name);
   }
   for (const json& row : table.at("rows")) rows += row_html(row, variations);
   return fmt::format(
@@ -119,8 +119,10 @@ std::string sensitivity_html(const json& table) {
       "than the claim asks, what it points to; behind it stands what was measured, one figure for each of "
       "the "
       "claim’s checks. “As run” is the same to the last digit.</p>\n"
-      "<dl class=\"variations\">\n{}</dl>\n<div class=\"scroll\"><table class=\"sensitivity\"><thead><tr>"
-      "<th>Claim</th><th>This run</th>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n</section>\n",
+      "<dl class=\"variations\">\n{}</dl>\n<div class=\"scroll\"><table "
+      "class=\"sensitivity\"><caption>Verdicts of this run and of its variations</caption><thead><tr>"
+      "<th scope=\"col\">Claim</th><th scope=\"col\">This "
+      "run</th>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n</section>\n",
       table.at("rows").size(), moving, moving == 1 ? "moves" : "move", readings, heads, rows);
 }
 

@@ -1,4 +1,4 @@
-// The claims and their verdicts as HTML.
+// Verdicts as HTML.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,10 +6,12 @@
 
 namespace hbr {
 
-// Each takes claims.json: an array of {id, statement, place, paper, ours, verdict, indication, reason,
-// ...} (reports/claims/claims.h). Throws InputError where an entry is not so.
-std::string verdict_tiles(const nlohmann::json& claims);  // how many of each
-std::string verdict_badge(const std::string& verdict);    // its sign and name
-std::string claims_table(const nlohmann::json& claims);
+// Of claims.json (reports/claims/claims.h). All throw InputError where a verdict is none of the four.
+std::string verdict_tiles(const nlohmann::json& claims);    // how many of each
+std::string verdict_filters(const nlohmann::json& claims);  // buttons that show those of one verdict alone
+
+// Of one verdict: its sign and name, `whose` leads the error; and its CSS class.
+std::string verdict_badge(const std::string& verdict, const std::string& whose);
+std::string verdict_class(const std::string& verdict);
 
 }  // namespace hbr

@@ -29,13 +29,13 @@ constexpr std::array kReplayRows{
     ReplayRow{"", "before", Colour::ink}, ReplayRow{"wanted", "asked", Colour::grey},
     ReplayRow{"arm", "arm", Colour::blue}, ReplayRow{"whole", "body", Colour::orange}};
 
-struct Digit {
+struct ReplayedDigit {
   std::array<std::vector<std::uint8_t>, kReplayRows.size()> images;  // some empty
   float difference;                                                  // of the arm's
 };
 
-std::vector<Digit> read_replays(const std::vector<std::filesystem::path>& files) {
-  std::vector<Digit> digits;
+std::vector<ReplayedDigit> read_replays(const std::vector<std::filesystem::path>& files) {
+  std::vector<ReplayedDigit> digits;
   for (const auto& path : files) {
     const Hdf5Reader file(path);
     const std::vector<float> difference = file.read<float>("arm/absolute").values;
@@ -54,12 +54,12 @@ std::vector<Digit> read_replays(const std::vector<std::filesystem::path>& files)
       }
     }
   }
-  std::ranges::stable_sort(digits, {}, &Digit::difference);
+  std::ranges::stable_sort(digits, {}, &ReplayedDigit::difference);
   return digits;
 }
 
 // Digits at even ranks of the arm's difference; rows that no digit has are left out.
-std::vector<GalleryRow> gallery(const std::vector<Digit>& digits) {
+std::vector<GalleryRow> gallery(const std::vector<ReplayedDigit>& digits) {
   const std::size_t shown = std::min(digits.size(), kGalleryColumns);
   std::vector<GalleryRow> rows;
   for (std::size_t row = 0; row < kReplayRows.size(); ++row) {
@@ -117,7 +117,7 @@ Figure dynamics_figure(const Evidence& evidence) {
   for (const std::string& stage : stages) {
     const std::string id = stage.substr(0, stage.size() - kReplayed.size()), robot = robot_title(id),
                       name = "dynamics." + id + ".";
-    const std::vector<Digit> digits = read_replays(evidence.artifacts.replications(stage));
+    const std::vector<ReplayedDigit> digits = read_replays(evidence.artifacts.replications(stage));
     if (digits.empty()) throw InputError("{} holds no digit", stage);
     const auto add = [&](const std::vector<std::string>& names, BoxOptions options) {
       options.title = robot + ": " + options.title;

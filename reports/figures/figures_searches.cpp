@@ -53,22 +53,20 @@ std::string quartiles(const StatisticsView& statistics, const std::string& name,
 }
 
 std::string table_of(const Evidence& evidence, const std::vector<std::string>& searches) {
-  std::string rows;
+  std::vector<std::vector<std::string>> rows;
   for (const std::string& search : searches)
-    rows += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-        escape_html(contender(search).label), escape_html(part(evidence.artifacts, search, "container")),
-        escape_html(part(evidence.artifacts, search, "selector")),
-        quartiles(evidence.statistics, search + ".coverage", 100, "%"),
-        quartiles(evidence.statistics, search + ".qd_score", 1, ""),
-        quartiles(evidence.statistics, search + ".cell_mean", 1, ""),
-        quartiles(evidence.statistics, search + ".mean", 1, ""),
-        quartiles(evidence.statistics, search + ".size", 1, ""));
-  return "<div class=\"scroll\"><table><thead><tr><th>Search</th><th>Container</th><th>Selector</th>"
-         "<th>Coverage</th><th>QD score</th><th>Mean fitness, common cells</th><th>Mean fitness, own "
-         "elites</th>"
-         "<th>Elites</th></tr></thead>\n<tbody>" +
-         rows + "</tbody></table></div>\n";
+    rows.push_back({escape_html(contender(search).label),
+                    escape_html(part(evidence.artifacts, search, "container")),
+                    escape_html(part(evidence.artifacts, search, "selector")),
+                    quartiles(evidence.statistics, search + ".coverage", 100, "%"),
+                    quartiles(evidence.statistics, search + ".qd_score", 1, ""),
+                    quartiles(evidence.statistics, search + ".cell_mean", 1, ""),
+                    quartiles(evidence.statistics, search + ".mean", 1, ""),
+                    quartiles(evidence.statistics, search + ".size", 1, "")});
+  return html_table("Median and quartiles over the replications; fitness and QD score in rad²",
+                    {"Search", "Container", "Selector", "Coverage", "QD score", "Mean fitness, common cells",
+                     "Mean fitness, own elites", "Elites"},
+                    rows);
 }
 
 }  // namespace

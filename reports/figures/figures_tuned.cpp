@@ -23,7 +23,7 @@ constexpr std::size_t kPixels = 784;
 constexpr std::array kStates{"before", "top", "all"};
 
 // An arm's digit, and for each state the robot's that is nearest to its place in the latent space.
-struct Digit {
+struct TunedDigit {
   std::vector<std::uint8_t> arm;
   std::array<std::vector<std::uint8_t>, kStates.size()> robot;
   float difference;  // of arm and before
@@ -38,8 +38,8 @@ std::vector<std::uint8_t> image(const std::filesystem::path& path, const std::ve
 }
 
 // Those that differed most first.
-std::vector<Digit> read_digits(const std::vector<std::filesystem::path>& files) {
-  std::vector<Digit> digits;
+std::vector<TunedDigit> read_digits(const std::vector<std::filesystem::path>& files) {
+  std::vector<TunedDigit> digits;
   for (const auto& path : files) {
     const Hdf5Reader file(path);
     const std::size_t first = digits.size();
@@ -56,11 +56,11 @@ std::vector<Digit> read_digits(const std::vector<std::filesystem::path>& files) 
         digits[first + i].robot[s] = image(path, images, static_cast<std::size_t>(nearest[i]));
     }
   }
-  std::ranges::stable_sort(digits, std::greater<>(), &Digit::difference);
+  std::ranges::stable_sort(digits, std::greater<>(), &TunedDigit::difference);
   return digits;
 }
 
-Panel worst_panel(const std::string& robot, const std::vector<Digit>& digits) {
+Panel worst_panel(const std::string& robot, const std::vector<TunedDigit>& digits) {
   std::vector<GalleryRow> rows{{"arm", Colour::blue}};
   for (const char* state : kStates) rows.push_back({contender(state).label, contender(state).colour});
   for (std::size_t k = 0; k < std::min(kGalleryColumns, digits.size()); ++k) {

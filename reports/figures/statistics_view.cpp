@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/core/check.h"
+#include "pipeline/statistics/rank_sum.h"
 
 namespace hbr {
 namespace {
@@ -68,8 +69,8 @@ std::optional<Test> StatisticsView::test(const std::string& a, const std::string
   const auto* entry = straight ? straight : find("tests", b + "_vs_" + a);
   if (!entry) return {};
   return checked(a + "_vs_" + b, [&] {
-    Test test{.p = entry->at("p"), .a12 = entry->at("a12"), .n_a = entry->at("n_a"), .n_b = entry->at("n_b")};
-    if (entry->contains("p_exact")) test.p_exact = entry->at("p_exact").get<double>();
+    Test test{.a12 = entry->at("a12"), .n_a = entry->at("n_a"), .n_b = entry->at("n_b")};
+    if (std::min(test.n_a, test.n_b) >= kFewestToTest) test.p = entry->at("p").get<double>();
     if (entry->contains("ratio")) test.ratio = entry->at("ratio").get<double>();
     if (!straight) {
       test.a12 = 1 - test.a12;

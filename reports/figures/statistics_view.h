@@ -12,8 +12,7 @@
 namespace hbr {
 
 struct Test {
-  double p = 1;  // normal approximation, corrected
-  std::optional<double> p_exact = {};
+  std::optional<double> p = {};      // of kFewestToTest replications and more (rank_sum.h)
   double a12 = 0.5;                  // of a over b
   std::optional<double> ratio = {};  // of medians, a over b
   std::size_t n_a = 0, n_b = 0;

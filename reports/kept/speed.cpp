@@ -179,15 +179,14 @@ std::string markdown(const SpeedTable& table) {
   return text + "\n";
 }
 
-std::string html(const SpeedTable& table) {
-  const auto row = [](const Cells& cells, const char* tag) {
-    std::string text = "<tr>";
-    for (const std::string& cell : cells) text += fmt::format("<{0}>{1}</{0}>", tag, escape_html(cell));
-    return text + "</tr>\n";
+std::string html(const std::string& caption, const SpeedTable& table) {
+  const auto escaped = [](Cells cells) {
+    std::ranges::transform(cells, cells.begin(), [](const std::string& cell) { return escape_html(cell); });
+    return cells;
   };
-  std::string text = "<div class=\"scroll\"><table><thead>" + row(table.head, "th") + "</thead><tbody>";
-  for (const Cells& cells : table.rows) text += row(cells, "td");
-  return text + "</tbody></table></div>\n";
+  std::vector<Cells> rows;
+  for (const Cells& cells : table.rows) rows.push_back(escaped(cells));
+  return html_table(caption, escaped(table.head), rows);
 }
 
 template <class Write>
@@ -260,8 +259,10 @@ std::string speed_html(const json& speed) {
         "<p>Measured by <code>make bench</code> and kept with the sources; this run did not measure it. "
         "{}.</p>\n{}"
         "<p>The others’ rates are of {}</p>\n{}",
-        escape_html(where(speed)), html(own_table(speed)),
-        escape_html(speed.at("peers_from").get<std::string>()), html(peers_table(speed)));
+        escape_html(where(speed)),
+        html("Items per processor second, and against a straightforward implementation", own_table(speed)),
+        escape_html(speed.at("peers_from").get<std::string>()),
+        html("The same by other libraries", peers_table(speed)));
   });
 }
 

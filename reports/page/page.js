@@ -7,7 +7,7 @@ const filters = document.querySelectorAll(".filters button");
 for (const button of filters) button.addEventListener("click", () => {
   const verdict = button.dataset.verdict;
   for (const other of filters) other.setAttribute("aria-pressed", String(other === button));
-  for (const row of document.querySelectorAll(".claims tbody tr"))
+  for (const row of document.querySelectorAll(".claims tbody"))
     row.hidden = Boolean(verdict) && row.dataset.verdict !== verdict;
 });
 addEventListener("beforeprint", () => { for (const d of document.querySelectorAll("details")) d.open = true; });

@@ -89,7 +89,8 @@ bool is_published(const fs::path& page, const std::string& html, const fs::path&
 
 std::string provenance_html(const fs::path& out) {
   const Facts facts = read_facts(out);
-  std::string html = "<dl>\n", rows;
+  std::string html = "<dl>\n";
+  std::vector<std::vector<std::string>> rows;
   for (const auto& [word, texts] : facts.words) {
     std::string all;
     for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + escape_html(text);
@@ -104,18 +105,15 @@ std::string provenance_html(const fs::path& out) {
     total_cpu += stage.cpu_seconds;
   }
   for (const auto& [name, stage] : shown)
-    rows += fmt::format(
-        "<tr><td><code>{}</code></td><td>{}</td><td>{} <span class=\"bar\" "
-        "style=\"width:{:.1f}rem\"></span></td>"
-        "<td>{}</td><td>{} MB</td></tr>\n",
-        escape_html(name), stage.artifacts, duration_text(stage.seconds), 8 * stage.seconds / longest,
-        duration_text(stage.cpu_seconds), format_number(std::round(stage.memory / 1e6)));
+    rows.push_back({fmt::format("<code>{}</code>", escape_html(name)), fmt::format("{}", stage.artifacts),
+                    fmt::format("{} <span class=\"bar\" style=\"width:{:.1f}rem\"></span>",
+                                duration_text(stage.seconds), 8 * stage.seconds / longest),
+                    duration_text(stage.cpu_seconds), format_number(std::round(stage.memory / 1e6)) + " MB"});
   return html +
-         fmt::format(
-             "<dt>time</dt><dd>{} of all stages one after the other, {} of processors</dd></dl>\n<div "
-             "class=\"scroll\"><table><thead><tr><th>Stage</th><th>Artifacts</th><th>Time</th><th>Processor "
-             "time</th><th>Most memory</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
-             duration_text(total), duration_text(total_cpu), rows) +
+         fmt::format("<dt>time</dt><dd>{} of all stages one after the other, {} of processors</dd></dl>\n",
+                     duration_text(total), duration_text(total_cpu)) +
+         html_table("Time and memory of each stage, over its artifacts",
+                    {"Stage", "Artifacts", "Time", "Processor time", "Most memory"}, rows) +
          graph_html(facts);
 }
 

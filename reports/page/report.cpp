@@ -4,6 +4,7 @@
 
 #include "pipeline/artifact/content.h"
 #include "pipeline/core/check.h"
+#include "reports/claims/claims_table.h"
 #include "reports/claims/ledger.h"
 #include "reports/claims/verdicts.h"
 #include "reports/figures/figures.h"
@@ -26,18 +27,16 @@ std::string hero(const Artifacts& artifacts) {
 
 // What the run is made of, stage by stage.
 std::string inventory(const ReportContent& content) {
-  std::string rows;
+  std::vector<std::vector<std::string>> rows;
   for (const std::string& stage : content.artifacts.stages(""))
-    rows += fmt::format("<tr><td><code>{}</code></td><td>{}</td></tr>\n", escape_html(stage),
-                        content.artifacts.replications(stage).size());
+    rows.push_back({fmt::format("<code>{}</code>", escape_html(stage)),
+                    fmt::format("{}", content.artifacts.replications(stage).size())});
   return fmt::format(
       "<p>Profile <b>{}</b>. What stands above is a function of the profile, the data and the programs "
-      "alone; the "
-      "same three give the same bytes.</p>\n<details><summary>Stages and their replications</summary><div "
-      "class=\"scroll\"><table><thead><tr><th>Stage</th><th>Replications</th></tr></thead><tbody>{}</tbody></"
-      "table>"
-      "</div></details>\n",
-      escape_html(content.profile), rows);
+      "alone; the same three give the same bytes.</p>\n<details><summary>Stages and their "
+      "replications</summary>{}</details>\n",
+      escape_html(content.profile),
+      html_table("Replications of each stage", {"Stage", "Replications"}, rows));
 }
 
 }  // namespace

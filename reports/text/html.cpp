@@ -1,5 +1,7 @@
 #include "reports/text/html.h"
 
+#include <fmt/format.h>
+
 #include <cstdint>
 
 namespace hbr {
@@ -47,6 +49,21 @@ std::string escape_html(std::string_view text) {
 
 std::string data_uri(std::string_view bytes, std::string_view media_type) {
   return "data:" + std::string(media_type) + ";base64," + base64(bytes);
+}
+
+std::string html_table(const std::string& caption, const std::vector<std::string>& head,
+                       const std::vector<std::vector<std::string>>& rows, const std::string& css) {
+  std::string html = fmt::format("<div class=\"scroll\"><table{}><caption>{}</caption>\n<thead><tr>",
+                                 css.empty() ? "" : fmt::format(" class=\"{}\"", css), caption);
+  for (const std::string& cell : head) html += fmt::format("<th scope=\"col\">{}</th>", cell);
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : rows) {
+    html += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i)
+      html += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", row[i]) : fmt::format("<td>{}</td>", row[i]);
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
 }
 
 }  // namespace hbr

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hbr {
 
@@ -11,5 +12,10 @@ std::string escape_html(std::string_view text);
 
 // "data:image/png;base64,..." of the bytes.
 std::string data_uri(std::string_view bytes, std::string_view media_type);
+
+// A table that scrolls within its box where it is wide; `caption`, the cells of `head` and of `rows` are
+// HTML. The first cell of a row names it. `css` is the table's class, or "".
+std::string html_table(const std::string& caption, const std::vector<std::string>& head,
+                       const std::vector<std::vector<std::string>>& rows, const std::string& css = "");
 
 }  // namespace hbr

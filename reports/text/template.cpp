@@ -7,6 +7,7 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/names.h"
+#include "pipeline/statistics/rank_sum.h"
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
@@ -155,7 +156,11 @@ class Filler {
     }
     if (parts.size() > 3 || !entry->contains(field) || !entry->at(field).is_number()) throw unknown();
     const double number = entry->at(field);
-    if (field == "p" || field == "p_exact") return format_p(number);
+    if (field == "p") {
+      const std::size_t n_a = entry->at("n_a"), n_b = entry->at("n_b");
+      return std::min(n_a, n_b) < kFewestToTest ? "too few replications for a test"
+                                                : "p = " + format_p(number);
+    }
     const bool pure = field == "n" || field == "a12" || field == "ratio" || parts[0] == "test";
     return pure ? format_number(number) : format_quantity(number, unit(*entry));
   }

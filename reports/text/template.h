@@ -7,7 +7,8 @@
 //   {{stat:NAME:percent}}      median [q1; q3] of a share, in per cent
 //   {{stat:NAME:n}}            how many values
 //   {{number:NAME}}            a single number of the statistics with its unit
-//   {{test:NAME:p}}            a test's p-value; also p_exact, a12, ratio, difference
+//   {{test:NAME:p}}            "p = 0.03" of a test, or that there are too few replications for one
+//   {{test:NAME:ratio}}        one number of it; also a12, difference
 //   {{if stat:A stat:B test:A_vs_B}} ... {{else}} ... {{end}}
 //                              the first text where all are measured, else the second; no nesting
 //

@@ -120,6 +120,19 @@ TEST(Claims, TheFloorOfTheTestIsReachedByCompleteSeparationOnly) {
   EXPECT_EQ(evaluate_one(file, overlapping)["verdict"], "partly");
 }
 
+// Two against two give a p of 1/3 at least: none is told, and what is told says between what and of how many.
+TEST(Claims, EachCheckSaysWhatIsComparedAndNoPOfTwo) {
+  TemporaryFolder folder;
+  const auto file = claim_file(folder, check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "0.05"));
+  const json two = evaluate_one(file, accuracies(2))["checks"][0],
+             three = evaluate_one(file, accuracies(3))["checks"][0];
+  EXPECT_EQ(two["ours"], "2.41 times (10.2\u202fm² against 4.25\u202fm²), n = 2");
+  EXPECT_FALSE(two.contains("p"));
+  EXPECT_EQ(three["ours"], "2.38 times (10.3\u202fm² against 4.33\u202fm², p = 0.081), n = 3");
+  EXPECT_NEAR(three["p"].get<double>(), 0.0808556, 1e-6);
+  EXPECT_EQ(three["asked"], "at least 2 times and p < 0.05");
+}
+
 TEST(Claims, TheEndsOfARangeBelongToIt) {
   TemporaryFolder folder;
   const json statistics = accuracies(2, 500);  // median 10.25
@@ -156,7 +169,8 @@ TEST(Claims, WhatIsAbsentIsNotDecided) {
   EXPECT_EQ(claim["verdict"], "not at this size");
   EXPECT_EQ(claim["indication"], "reproduced");
   EXPECT_EQ(claim["checks"][1]["outcome"], "absent");
-  EXPECT_THAT(claim["reason"].get<std::string>(), HasSubstr("this run has no accuracy.n100"));
+  EXPECT_EQ(claim["checks"][1]["ours"], "this run has no accuracy.n100");
+  EXPECT_EQ(claim["reason"], "1 of 2 checks hold, 1 could not be measured.");
 }
 
 TEST(Claims, SomeChecksMakeAPart) {
@@ -214,7 +228,7 @@ TEST(Claims, OfThePaperOverTheSample) {
       EXPECT_NE(claim["verdict"], "not at this size") << id << ": " << claim["reason"];
     else
       EXPECT_EQ(claim["verdict"], "not at this size") << id;
-    for (const json& c : claim["checks"]) EXPECT_NE(c["outcome"], "absent") << id << ": " << c["sentence"];
+    for (const json& c : claim["checks"]) EXPECT_NE(c["outcome"], "absent") << id << ": " << c["ours"];
     const std::string quote = claim["quote"];
     EXPECT_LE(std::count(quote.begin(), quote.end(), ' '), 7) << id << ": a few words only";
   }

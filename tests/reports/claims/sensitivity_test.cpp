@@ -64,8 +64,8 @@ TEST(Sensitivity, ThePageMarksWhatMoves) {
   const std::string html = sensitivity_html(sensitivity_table(claims("partly", 2.5), kVariations));
   EXPECT_THAT(html, HasSubstr("Of the 2 claims that a variation answers 1 moves."));
   EXPECT_THAT(html, HasSubstr("<dt><code>short</code></dt><dd>Shorter &amp; shorter.</dd>"));
-  EXPECT_THAT(html, HasSubstr("<tr class=\"moves\"><td>About &lt;ratio&gt;"));
-  EXPECT_THAT(html, HasSubstr("<tr><td>About &lt;steady&gt;"));
+  EXPECT_THAT(html, HasSubstr("<tr class=\"moves\"><th scope=\"row\">About &lt;ratio&gt;"));
+  EXPECT_THAT(html, HasSubstr("<tr><th scope=\"row\">About &lt;steady&gt;"));
   EXPECT_THAT(html, HasSubstr("<td data-name=\"short\" class=\"moved\"><span class=\"badge not\">✗ "
                               "not</span><br>1.5 · 3 times</td>"));
   EXPECT_THAT(html, HasSubstr("<td data-name=\"same\" class=\"same\">as run</td>"));

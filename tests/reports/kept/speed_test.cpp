@@ -77,7 +77,7 @@ TEST_F(Speed, TheFastestOfTheRepetitionsCounts) {
   EXPECT_THAT(text, HasSubstr("| other | 250 looks | 2.5 k | 10x |"));
   EXPECT_THAT(text, HasSubstr("elsewhere"));
   const std::string page = speed_html(speed);
-  EXPECT_THAT(page, HasSubstr("<td>a &lt; b; mean fitness −0.500</td><td>2.5 k looks</td>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">a &lt; b; mean fitness −0.500</th><td>2.5 k looks</td>"));
   EXPECT_THAT(page, HasSubstr("<td>10x</td>"));
 }
 

@@ -76,9 +76,9 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
   EXPECT_FALSE(fs::exists(out / "report/more.txt"));
   std::ifstream file(out / "report/index.html");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_THAT(page, HasSubstr("<td><code>layer1</code></td><td>2</td><td>1:00"));
-  EXPECT_THAT(page, HasSubstr("<td><code>layer2_n10</code></td><td>1</td><td>5.0 s"));
-  EXPECT_THAT(page, HasSubstr("<td><code>variation short</code></td><td>1</td><td>7.0 s"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\"><code>layer1</code></th><td>2</td><td>1:00"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\"><code>layer2_n10</code></th><td>1</td><td>5.0 s"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\"><code>variation short</code></th><td>1</td><td>7.0 s"));
   EXPECT_THAT(page, HasSubstr("v1-dirty"));
   EXPECT_THAT(page, HasSubstr("&lt;box&gt;"));
   EXPECT_THAT(page, HasSubstr("layer2_n10</text>"));

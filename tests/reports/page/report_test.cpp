@@ -28,9 +28,14 @@ std::string read(const fs::path& path) {
 }
 
 const nlohmann::json kVerdicts = nlohmann::json::parse(R"([
-  {"id": "a", "statement": "1 < 2 & <i>so on</i>", "place": "5.1", "paper": "2.3", "ours": "2.4", "verdict": "reproduced", "indication": "reproduced",
-   "reason": ""},
-  {"id": "b", "statement": "s", "place": "5.2", "paper": "p", "ours": "–", "verdict": "not at this size", "indication": "partly", "reason": "r"}])");
+  {"id": "a", "statement": "1 < 2 & <i>so on</i>", "place": "5.1", "paper": "2.3", "verdict": "reproduced",
+   "indication": "reproduced", "reason": "2 of 2 checks hold.", "checks": [
+   {"words": "flat against <layer 3>", "kind": "ratio", "asked": "2 to 3 times", "ours": "2.4 times, n = 3", "figure": "2.4 times",
+    "x": 2.4, "reproduced": [2, 3], "partly": [1, null], "outcome": "yes"},
+   {"words": "share of good digits", "kind": "value", "asked": "at least 0.5", "ours": "0.6", "figure": "0.6",
+    "x": 0.6, "reproduced": [0.5, 1], "partly": [0.25, 1], "outcome": "yes"}]},
+  {"id": "b", "statement": "s", "place": "5.2", "paper": "p", "verdict": "not at this size", "indication": "partly",
+   "reason": "r", "checks": [{"words": "w", "asked": "at least 1", "ours": "this run has no x", "outcome": "absent"}]}])");
 const nlohmann::json kReadings = nlohmann::json::parse(R"([
   {"id": "disc", "title": "A disc", "paper": "nothing", "reading": "a disc", "alternatives": "a square", "effect": "e"}])");
 
@@ -80,7 +85,7 @@ TEST_F(ReportTest, GivesTheSameBytesTwice) {
       EXPECT_TRUE(one.contains(std::string("figures/") + figure + kind)) << figure << kind;
   EXPECT_EQ(nlohmann::json::parse(one.at("claims.json")), kVerdicts);
   EXPECT_EQ(nlohmann::json::parse(one.at("speed.json")), kSpeed);
-  EXPECT_THAT(one.at("index.html"), HasSubstr("<td>looking up</td><td>2 M look-ups</td>"));
+  EXPECT_THAT(one.at("index.html"), HasSubstr("<th scope=\"row\">looking up</th><td>2 M look-ups</td>"));
   EXPECT_EQ(nlohmann::json::parse(one.at("statistics.json")), content.statistics);
   for (const auto& [name, bytes] : one) EXPECT_THAT(bytes, Not(HasSubstr(folder_.string()))) << name;
 }

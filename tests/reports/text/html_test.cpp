@@ -23,5 +23,12 @@ TEST(Html, EncodesBase64) {
   EXPECT_EQ(data_uri("\xff\xfe\xfd", "a/b"), "data:a/b;base64,//79");
 }
 
+TEST(Html, TablesNameTheirRowsAndColumns) {
+  EXPECT_EQ(html_table("what", {"a", "b"}, {{"1", "2"}}, "wide"),
+            "<div class=\"scroll\"><table class=\"wide\"><caption>what</caption>\n<thead><tr><th "
+            "scope=\"col\">a</th><th scope=\"col\">b</th></tr></thead>\n<tbody>\n<tr><th "
+            "scope=\"row\">1</th><td>2</td></tr>\n</tbody></table></div>\n");
+}
+
 }  // namespace
 }  // namespace hbr

@@ -21,7 +21,8 @@ TemplateContent content() {
       "digit_verdicts.hbr.good": {"unit": "", "n": 3, "median": 0.6, "q1": 0.55, "q3": 0.65, "min": 0.5, "max": 0.7},
       "accuracy.n1": {"unit": "m^2", "n": 3, "median": 2.7e-4, "q1": 2.6e-4, "q3": 2.8e-4, "min": 1e-4, "max": 3e-4}},
     "numbers": {"transfer.nao.absolute_median": {"unit": "%", "value": 0.916}},
-    "tests": {"accuracy.n1_vs_accuracy.n10": {"p": 7.066e-18, "a12": 1, "ratio": 3.88}}})");
+    "tests": {"accuracy.n1_vs_accuracy.n10": {"n_a": 50, "n_b": 50, "p": 7.066e-18, "a12": 1, "ratio": 3.88},
+              "accuracy.n1_vs_layer2.n10.size": {"n_a": 2, "n_b": 3, "p": 0.2}}})");
   return c;
 }
 
@@ -41,7 +42,8 @@ TEST(Template, FillsInNumbers) {
   EXPECT_EQ(fill("{{stat:digit_verdicts.hbr.good:percent}} "), "60 [55; 65]\u202f% " + kRest);
   EXPECT_EQ(fill("{{number:transfer.nao.absolute_median}} "), "0.916\u202f% " + kRest);
   EXPECT_EQ(fill("{{test:accuracy.n1_vs_accuracy.n10:p}} {{test:accuracy.n1_vs_accuracy.n10:ratio}} "),
-            "7.1·10⁻¹⁸ 3.88 " + kRest);
+            "p = 7.1·10⁻¹⁸ 3.88 " + kRest);
+  EXPECT_EQ(fill("{{test:accuracy.n1_vs_layer2.n10.size:p}} "), "too few replications for a test " + kRest);
 }
 
 TEST(Template, TakesTheBranchThatIsMeasured) {

@@ -1,0 +1,78 @@
+#include "reports/claims/claims_table.h"
+
+#include <fmt/format.h>
+
+#include "pipeline/core/check.h"
+#include "pipeline/statistics/rank_sum.h"
+#include "reports/claims/range_chart.h"
+#include "reports/claims/verdicts.h"
+#include "reports/text/html.h"
+
+namespace hbr {
+namespace {
+
+using nlohmann::json;
+
+std::string text(const json& entry, const std::string& whose, const char* key) {
+  const auto found = entry.find(key);
+  if (found == entry.end() || !found->is_string())
+    throw InputError("claim '{}' has no text '{}'", whose, key);
+  return escape_html(found->get<std::string>());
+}
+
+// One sign and word for what came of a check.
+std::string outcome(const std::string& name) {
+  if (name == "yes") return "<span class=\"reproduced\">✓ holds</span>";
+  if (name == "partly") return "<span class=\"partly\">◐ in part</span>";
+  if (name == "no") return "<span class=\"not\">✗ does not hold</span>";
+  return "<span class=\"not-at-this-size\">○ not measured</span>";
+}
+
+std::string check_row(const json& check, const std::string& id) {
+  return fmt::format(
+      "<tr class=\"check\"><td>{}</td><td data-name=\"asked\">{}</td><td data-name=\"this run\">{}</td>"
+      "<td>{}</td><td>{}</td></tr>\n",
+      text(check, id, "words"), text(check, id, "asked"), text(check, id, "ours"),
+      check.contains("x") ? range_chart(check) : "", outcome(check.value("outcome", "absent")));
+}
+
+// The claim itself in the whole width; what is behind its verdict is folded.
+std::string claim_rows(const json& claim) {
+  const std::string id = claim.value("id", "?"), verdict = claim.value("verdict", ""),
+                    indication = text(claim, id, "indication"), paper = text(claim, id, "paper");
+  const std::string badge = verdict_badge(verdict, fmt::format("claim '{}'", id));
+  std::string html = fmt::format(
+      "<tbody id=\"claim-{}\" data-verdict=\"{}\">\n<tr class=\"claim\"><th colspan=\"5\" scope=\"rowgroup\">"
+      "<details><summary><span class=\"statement\">{} <span class=\"place\">{}</span></span>{} <span "
+      "class=\"verdict\">{}{}</span></summary><p>{}</p></details></th></tr>\n",
+      escape_html(id), verdict_class(verdict), text(claim, id, "statement"), text(claim, id, "place"),
+      paper.empty() ? "" : fmt::format(" <span class=\"paper\">paper: {}</span>", paper), badge,
+      indication.empty() || indication == verdict
+          ? ""
+          : fmt::format(" <span class=\"indication\">points to: {}</span>", indication),
+      text(claim, id, "reason"));
+  if (!claim.contains("checks")) throw InputError("claim '{}' has no checks", id);
+  for (const json& check : claim.at("checks")) html += check_row(check, id);
+  return html + "</tbody>\n";
+}
+
+}  // namespace
+
+std::string claims_table(const json& claims) {
+  std::string html =
+      verdict_filters(claims) +
+      fmt::format(
+          "<table class=\"claims\"><caption>Each claim, and below it what is compared. In the charts the "
+          "dark bar is what "
+          "counts as reproduced, the pale one what counts in part, the dot this run. p: two-sided rank-sum "
+          "test "
+          "over the replications (normal approximation, corrected for ties and continuity, as in the paper); "
+          "none is given for fewer than {} replications.</caption>\n<thead><tr><th scope=\"col\">What is "
+          "compared</th><th scope=\"col\">Reproduced if</th><th scope=\"col\">This run</th><th "
+          "scope=\"col\">Chart</th><th scope=\"col\">Outcome</th></tr></thead>\n",
+          kFewestToTest);
+  for (const json& claim : claims) html += claim_rows(claim);
+  return html + "</table>\n";
+}
+
+}  // namespace hbr
