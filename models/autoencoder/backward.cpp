@@ -43,24 +43,32 @@ HBR_INLINE void output_backward(const Network& net, const Lanes* slope, Store&& 
       }
 }
 
-// The kernel of the sub-pixel convolution on the 7 x 7 maps: 8 inputs, 32 outputs.
-template <int N>
-void deconv2_gradient(const Lanes* in, const Lanes* slope, float* rows, float* gradient) {
-  constexpr int outputs = 4 * kMaps, O = std::min(2, outputs / kLanes), I = kBlock;
-  for (int v = 0; v < N; ++v) {
-    for (int p = 0; p < 7 * 7; ++p)
-      images_to_rows(slope + v * kSlopePlane + p * outputs, outputs, rows + p * kLanes * outputs, outputs);
-    for (int tap = 0; tap < 25; ++tap) {
-      const int dy = tap / 5 - 2, dx = tap % 5 - 2;
-      for (int i = 0; i < kMaps; i += I)
-        for (int o = 0; o < outputs; o += O * kLanes)
-          update_block<I, O>(gradient + (tap * kMaps + i) * outputs + o, outputs, [&](Lanes(&sum)[I][O]) {
-            for (int y = std::max(0, -dy); y < std::min(7, 7 - dy); ++y)
-              for (int x = std::max(0, -dx); x < std::min(7, 7 - dx); ++x)
-                outer_product(sum, in + v * kPlane + ((y + dy) * 7 + x + dx) * kMaps + i,
-                              rows + (y * 7 + x) * kLanes * outputs + o, outputs);
-          });
-    }
+// The sub-pixel convolution of one plane, by spectra: from those of its inputs and of its slopes adds to the
+// spectrum of its kernel's gradient [number][8 inputs][32 outputs].
+inline void deconv2_gradient(const Lanes* in, const Lanes* slope, float* gradient) {
+  constexpr int outputs = 4 * kMaps, O = std::min(2, outputs / kLanes), I = kBlock / 2;
+  float re[kLanes * outputs], im[kLanes * outputs];  // slopes of one frequency, one row per image
+  const auto for_gradient = [&](auto&& body) {
+    for (int i = 0; i < kMaps; i += I)
+      for (int o = 0; o < outputs; o += O * kLanes) body(i, o);
+  };
+  images_to_rows(slope, outputs, re, outputs);
+  for_gradient([&](int i, int o) {
+    update_block<I, O>(gradient + i * outputs + o, outputs,
+                       [&](Lanes(&sum)[I][O]) { outer_product(sum, in + i, re + o, outputs); });
+  });
+  for (int n = 1; n < kSpectrum; n += 2) {
+    images_to_rows(slope + n * outputs, outputs, re, outputs);
+    images_to_rows(slope + (n + 1) * outputs, outputs, im, outputs);
+    for_gradient([&](int i, int o) {
+      float* const to = gradient + (n * kMaps + i) * outputs + o;
+      update_block<I, O>(to, outputs, [&](Lanes(&real)[I][O]) {
+        update_block<I, O>(to + kMaps * outputs, outputs, [&](Lanes(&imaginary)[I][O]) {
+          conjugate_outer_product(real, imaginary, in + n * kMaps + i, in + (n + 1) * kMaps + i, re + o,
+                                  im + o, outputs);
+        });
+      });
+    });
   }
 }
 
@@ -180,7 +188,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
   const float leak = net.leak;
   const auto rectified = [leak](Lanes y) { return leaky_slope(y, leak); };
   float* const to_deconv2 = gradient + net.layout.size;
-  float* const to_output = to_deconv2 + kSubpixelDeconv2;
+  float* const to_output = to_deconv2 + kDeconv2Spectra;
   const auto weights = [&](LayerIndex i) { return gradient + net.layer(i).kernel; };
   const auto bias = [&](LayerIndex i) { return gradient + net.layer(i).bias; };
 
@@ -216,10 +224,18 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
               sum[v][b] * rectified(tile.map(activation)[v * kPlane + at + b]);
     };
   };
-  deconv2_gradient<N>(tile.map(kGrown1), slopes.map(kGrown2Slope), slopes.rows, to_deconv2);
   bias_gradient<kMaps, N>(slopes.map(kGrown2Slope), kSlopePlane, 14 * 14, bias(kDeconv2));
-  convolve<5, 4 * kMaps, kMaps, 7, N>(slopes.map(kGrown2Slope), kSlopePlane, net.deconv2_back.data(), nullptr,
-                                      keep(kGrown1, kGrown1Slope, 7));
+  for (int v = 0; v < N; ++v) {
+    maps_to_spectra<kMaps>(tile.map(kGrown1) + v * kPlane, slopes.below);
+    maps_to_spectra<4 * kMaps>(slopes.map(kGrown2Slope) + v * kSlopePlane, slopes.above);
+    deconv2_gradient(slopes.below, slopes.above, to_deconv2);
+    multiply_spectra<4 * kMaps, kMaps, false>(slopes.above, net.deconv2_spectra.data(), 4 * kMaps * kMaps, 1,
+                                              4 * kMaps, slopes.below);
+    spectra_to_maps<kMaps>(slopes.below, [&](int y, int x, int c, Lanes sum) {
+      const Index at = (y * 7 + x) * kMaps + c;
+      slopes.map(kGrown1Slope)[v * kSlopePlane + at] = sum * rectified(tile.map(kGrown1)[v * kPlane + at]);
+    });
+  }
   kernel_gradient<3, kMaps, kMaps, 7, N>(tile.map(kSeeds), kPlane, slopes.map(kGrown1Slope), kSlopePlane,
                                          weights(kDeconv1));
   bias_gradient<kMaps, N>(slopes.map(kGrown1Slope), kSlopePlane, 7 * 7, bias(kDeconv1));

@@ -29,8 +29,11 @@ struct Slopes {
 
   Lanes maps[N * kSlopePlane] = {};
   Lanes conv1[81 * kMaps] = {};  // gradient of the first kernel, still one lane per image
-  // Slopes turned round, one row per image: of a dense layer, or of one plane's 7 x 7 maps of deconv2.
-  float rows[kLanes * std::max(N * (kFlat + 8), 14 * 14 * kMaps)] = {};
+  // Of one plane after the other: spectra below and above the sub-pixel convolution, of activations and
+  // slopes.
+  Lanes below[kSpectrum * kMaps], above[kSpectrum * 4 * kMaps];
+  // Slopes of a dense layer turned round, one row per image.
+  float rows[kLanes * N * (kFlat + 8)] = {};
 };
 
 // After encode (training) and decode: adds d(scale * sum over images of the mean squared error per pixel) to

@@ -164,14 +164,16 @@ void decode(const Network& net, Tile<N>& tile) {
                                         tile.map(kGrown1)[v * kPlane + (y * 7 + x) * kMaps + o + b] =
                                             rectify(sum[v][b]);
                                   });
-  convolve<5, kMaps, 4 * kMaps, 7, N>(
-      tile.map(kGrown1), kPlane, net.deconv2.data(), net.deconv2_bias.data(),
-      [&]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
-        const int parity = o / kMaps, channel = o % kMaps;
-        const Index at = ((2 * y + parity / 2) * 14 + 2 * x + parity % 2) * kMaps + channel;
-        for (int v = 0; v < N; ++v)
-          for (int b = 0; b < B; ++b) tile.map(kGrown2)[v * kPlane + at + b] = rectify(sum[v][b]);
-      });
+  for (int v = 0; v < N; ++v) {
+    maps_to_spectra<kMaps>(tile.map(kGrown1) + v * kPlane, tile.below);
+    multiply_spectra<kMaps, 4 * kMaps, true>(tile.below, net.deconv2_spectra.data(), 4 * kMaps * kMaps,
+                                             4 * kMaps, 1, tile.above);
+    spectra_to_maps<4 * kMaps>(tile.above, [&](int y, int x, int o, Lanes sum) {
+      const int parity = o / kMaps, channel = o % kMaps;
+      const Index at = ((2 * y + parity / 2) * 14 + 2 * x + parity % 2) * kMaps + channel;
+      tile.map(kGrown2)[v * kPlane + at] = rectify(sum + net.bias(kDeconv2)[channel]);
+    });
+  }
   decode_output<N>(net, tile.map(kGrown2), tile.map(kDecoded));
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "models/autoencoder/kernels.h"
+#include "models/autoencoder/fourier.h"
 
 namespace hbr::net {
 
@@ -38,6 +38,8 @@ struct Tile {
   // Which of four pixels won a max-pool (row * 2 + column; the first of equals): for each pooled pixel two
   // bits per channel, the first channel's lowest.
   IntLanes winners[N * kWinnersPlane] = {};
+  // Of one plane after the other: spectra of the maps below and above the sub-pixel convolution (fourier.h).
+  Lanes below[kSpectrum * kMaps], above[kSpectrum * 4 * kMaps];
   std::array<Span, kSide> spans{};  // of the union of the images
   int images = 0;                   // lanes past them hold black images
 };

@@ -10,7 +10,7 @@ struct GradientSlot::Room {
 };
 
 GradientSlot::GradientSlot(const Layout& layout)
-    : gradient_(static_cast<std::size_t>(layout.size + kSubpixelDeconv2 + kSubpixelOutput), 0.f),
+    : gradient_(static_cast<std::size_t>(layout.size + kDeconv2Spectra + kSubpixelOutput), 0.f),
       room_(std::make_unique<Room>()) {}
 GradientSlot::~GradientSlot() = default;
 GradientSlot::GradientSlot(GradientSlot&&) noexcept = default;
@@ -32,9 +32,11 @@ double GradientSlot::add(const Network& network, int n, const std::uint8_t* cons
 }
 
 void fold_subpixel(const Layout& layout, float* gradient) {
-  const float* deconv2 = gradient + layout.size;
-  from_subpixel(9, kMaps, kMaps, deconv2, gradient + layout.layers[kDeconv2].kernel);
-  from_subpixel(3, kMaps, 1, deconv2 + kSubpixelDeconv2, gradient + layout.layers[kOutput].kernel);
+  const float* spectra = gradient + layout.size;
+  Floats deconv2(kSubpixelDeconv2, 0.f);
+  deconv2_from_spectra(spectra, deconv2.data());
+  from_subpixel(9, kMaps, kMaps, deconv2.data(), gradient + layout.layers[kDeconv2].kernel);
+  from_subpixel(3, kMaps, 1, spectra + kDeconv2Spectra, gradient + layout.layers[kOutput].kernel);
 }
 
 }  // namespace hbr::net

@@ -92,6 +92,32 @@ HBR_INLINE void outer_product(Lanes (&sum)[I][O], const Lanes* in, const float* 
   }
 }
 
+// real and imaginary += in * conj(slope), of complex numbers in two halves.
+template <int I, int O>
+HBR_INLINE void conjugate_outer_product(Lanes (&real)[I][O], Lanes (&imaginary)[I][O], const Lanes* in_real,
+                                        const Lanes* in_imaginary, const float* real_rows,
+                                        const float* imaginary_rows, Index stride) {
+  for (int l = 0; l < kLanes; ++l) {
+    Lanes c[O], d[O];
+#pragma GCC unroll 4
+    for (int o = 0; o < O; ++o) {
+      c[o] = load(real_rows + l * stride + o * kLanes);
+      d[o] = load(imaginary_rows + l * stride + o * kLanes);
+    }
+#pragma GCC unroll 8
+    for (int i = 0; i < I; ++i) {
+      const Lanes a = broadcast(in_real[i][l]), b = broadcast(in_imaginary[i][l]);
+#pragma GCC unroll 4
+      for (int o = 0; o < O; ++o) {
+        real[i][o] += a * c[o];
+        imaginary[i][o] += b * c[o];
+        real[i][o] += b * d[o];
+        imaginary[i][o] -= a * d[o];
+      }
+    }
+  }
+}
+
 // Keeps a block of a gradient in registers while add(sum) adds to it.
 template <int I, int O, class Add>
 HBR_INLINE void update_block(float* gradient, Index stride, Add&& add) {

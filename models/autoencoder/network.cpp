@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/autoencoder/fourier.h"
+
 namespace hbr::net {
 namespace {
 
@@ -110,16 +112,15 @@ void Network::initialise(Seed seed, float output_start) {
 }
 
 void Network::refresh() {
-  deconv2.assign(kSubpixelDeconv2, 0.f);
-  output.assign(kSubpixelOutput, 0.f);
+  Floats deconv2(kSubpixelDeconv2, 0.f);
   to_subpixel(9, kMaps, kMaps, kernel(kDeconv2), deconv2.data());
+  deconv2_spectra.resize(kDeconv2Spectra);
+  deconv2_to_spectra(deconv2.data(), deconv2_spectra.data());
+  output.assign(kSubpixelOutput, 0.f);
   to_subpixel(3, kMaps, 1, kernel(kOutput), output.data());
   output_bias.assign(4, *bias(kOutput));
-  deconv2_bias.resize(4 * kMaps);
-  for (std::size_t i = 0; i < deconv2_bias.size(); ++i) deconv2_bias[i] = bias(kDeconv2)[i % kMaps];
   turn_round(3, kMaps, kMaps, kernel(kConv2), conv2_back);
   turn_round(3, kMaps, kMaps, kernel(kDeconv1), deconv1_back);
-  turn_round(5, kMaps, 4 * kMaps, deconv2.data(), deconv2_back);
   output_to_window(kernel(kOutput), output_back);
 }
 

@@ -66,8 +66,8 @@ struct Layout {
 // Convolutions that follow an unpooling, as one convolution of the small grid with four times the outputs,
 // one set per output parity (row, column), which is exact: of a 9 x 9 kernel each parity sees 5 x 5 small
 // pixels, of a 3 x 3 kernel 2 x 2 of 3 x 3. Shapes {rows, columns, inputs, parity, outputs}.
-inline constexpr int kSubpixelDeconv2 = 5 * 5 * kMaps * 4 * kMaps;
 inline constexpr int kSubpixelOutput = 3 * 3 * kMaps * 4;
+inline constexpr int kSubpixelDeconv2 = 5 * 5 * kMaps * 4 * kMaps;
 
 // Adds the kernel [size x size x inputs x outputs] up to its sub-pixel form, which starts at zero.
 void to_subpixel(int size, int inputs, int outputs, const float* kernel, float* subpixel);
@@ -93,10 +93,10 @@ class Network {
   Layout layout;
   float leak;
   Floats parameters;
-  Floats deconv2, output;  // sub-pixel forms
-  Floats output_bias;      // of the four parities
-  Floats deconv2_bias;
-  Floats conv2_back, deconv1_back, deconv2_back;  // turned round, inputs and outputs swapped
+  Floats deconv2_spectra;           // of the sub-pixel form (fourier.h), so that its results need no factor
+  Floats output;                    // sub-pixel form
+  Floats output_bias;               // of the four parities
+  Floats conv2_back, deconv1_back;  // turned round, inputs and outputs swapped
   Floats output_back;  // {4, 4, inputs}: from a window of output pixels to the small pixel in its middle
 };
 

@@ -82,7 +82,7 @@ TEST(AutoencoderFile, RoundTrip) {
     file.close();
     const Autoencoder read = load_autoencoder(path);
     EXPECT_EQ(read.network().parameters, written.network().parameters);
-    EXPECT_EQ(read.network().deconv2_back, written.network().deconv2_back);
+    EXPECT_EQ(read.network().deconv2_spectra, written.network().deconv2_spectra);
     EXPECT_EQ(read.network().leak, written.network().leak);
   }
 }
