@@ -13,6 +13,13 @@ given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES
 $(foreach name,$(given),$(if $(filter-out undefined default,$(origin $(name))),\
   $(eval override $(name) := $$(value $(name)))))
 
+# Any other variable on the command line is a slip, and what it was meant for would be made otherwise in silence.
+heeded := $(given) HBR_ARCH WERROR UNITY CXX SANITIZER TESTS SECONDS READER FILES COUNT SEED PREFIX COMPILERS OBJECTS \
+  TARGETS LINKED RELEASES SAME CASES MIRROR
+slips := $(filter-out $(heeded) MAKE% -%,$(foreach name,$(.VARIABLES),\
+  $(if $(findstring command line,$(origin $(name))),$(name))))
+$(if $(slips),$(error there is no variable '$(firstword $(slips))'; there are $(heeded) (`make help`)))
+
 empty :=
 space := $(empty) $(empty)
 define newline
@@ -79,34 +86,44 @@ arguments := --profile "$$GIVEN_PROFILE" --out "$$GIVEN_OUT" --threads "$$GIVEN_
 .PHONY: $(targets) $(stages) experiment
 
 help:
-	@echo 'make all             the whole experiment; its report is OUT/report/index.html'
-	@echo 'make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
-	@echo 'make test            build and run all tests'
-	@echo 'make bench           build and run the benchmarks and keep their table; BENCH=regex: only those, only shown'
-	@echo 'make sanitize        all tests with the address and undefined-behaviour sanitizers; SANITIZER=thread: races;'
-	@echo '                     TESTS="pipeline/qd models/arm": only the tests of these folders'
-	@echo 'make test-cluster    what becomes of a run when its Slurm cluster fails: a real one, on loopback'
-	@echo 'make fuzz            each reader of foreign files for SECONDS=60 with libFuzzer; READER=urdf: only that'
-	@echo 'make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
-	@echo 'make coverage        all tests, and BUILD/coverage/html: which lines they reach'
-	@echo 'make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors'
-	@echo 'make check-odr       compile and link everything without optimisation, then with the linker comparing definitions'
-	@echo 'make check-bytes     layers 1 to 3 by both compilers, for SAME: the same bytes?'
-	@echo 'make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap)'
-	@echo 'make format          clang-format on all sources; check-format only tells'
-	@echo 'make status          what is fresh, stale or missing, and why'
-	@echo 'make audit           read every artifact again and compare it with its manifest'
-	@echo 'make graph           OUT/graph.svg: the stages and what they hand on'
-	@echo 'make verify          compare the finished run in OUT with reports/reference/NAME, NAME as in the profile'
-	@echo 'make reference       keep the finished run in OUT as that reference'
-	@echo 'make robot URDF=FILE what a robot is: joints, mass, reach, a picture and a .glb in OUT (here out/robot);'
-	@echo '                     MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
-	@echo 'make deps, build, data   install what is missing; build the programs; fetch MNIST'
-	@echo 'make install         the search and the layers for other programs (find_package(hbr)), below PREFIX'
-	@echo 'make clean           remove BUILD; distclean: out/ and .cache/ (downloads), too'
-	@echo 'Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
+	@echo 'Experiments'
+	@echo '  make all             the whole experiment; its report is OUT/report/index.html'
+	@echo '  make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
+	@echo '  make status          what is fresh, stale or missing, and why'
+	@echo '  make audit           read every artifact again and compare it with its manifest'
+	@echo '  make graph           OUT/graph.svg: the stages and what they hand on'
+	@echo '  make verify          compare the finished run in OUT with reports/reference/NAME, NAME as in the profile'
+	@echo '  make reference       keep the finished run in OUT as that reference'
+	@echo '  Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
-	@echo "PROFILE=$$GIVEN_PROFILE"'   one of: $(basename $(notdir $(wildcard stages/profiles/*.toml))); or a file.toml'
+	@echo 'Robots'
+	@echo '  make robot URDF=FILE what a robot is: joints, mass, reach, a picture and a .glb in OUT (here out/robot);'
+	@echo '                       MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
+	@echo
+	@echo 'Building'
+	@echo '  make deps, build, data   install what is missing; build the programs; fetch MNIST'
+	@echo '  make install         the search and the layers for other programs (find_package(hbr)), below PREFIX'
+	@echo '  make clean           remove BUILD; distclean: out/ and .cache/ (downloads), too'
+	@echo
+	@echo 'Tests and checks'
+	@echo '  make test            build and run all tests'
+	@echo '  make bench           build and run the benchmarks and keep their table; BENCH=regex: only those, only shown'
+	@echo '  make sanitize        all tests with the address and undefined-behaviour sanitizers; SANITIZER=thread: races;'
+	@echo '                       TESTS="pipeline/qd models/arm": only the tests of these folders'
+	@echo '  make fuzz            each reader of foreign files for SECONDS=60 with libFuzzer; READER=urdf: only that'
+	@echo '  make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
+	@echo '  make coverage        all tests, and BUILD/coverage/html: which lines they reach'
+	@echo '  make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors'
+	@echo '  make check-odr       compile and link everything without optimisation, then with the linker comparing definitions'
+	@echo '  make check-bytes     layers 1 to 3 by both compilers, for SAME: the same bytes?'
+	@echo '  make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap)'
+	@echo '  make test-cluster    what becomes of a run when its Slurm cluster fails: a real one, on loopback'
+	@echo '  make format          clang-format on all sources; check-format only tells'
+	@echo
+	@echo "PROFILE=$$GIVEN_PROFILE"'   a file.toml, or one of'
+	@for profile in stages/profiles/*.toml; do \
+	  name=$${profile##*/}; printf '  %-17s %s\n' "$${name%.toml}" "$$(sed -n 's/^# Costs: //p' $$profile)"; \
+	done
 	@echo "OUT=$$GIVEN_OUT"'   where artifacts go'
 	@echo "BUILD=$$GIVEN_BUILD"'   where programs are built; with OUT elsewhere, too, the sources may be read-only'
 	@echo 'HBR_ARCH=$(HBR_ARCH)   processors to build for (-march): this one, or x86-64-v3 and so on; CXX=clang++: another compiler'

@@ -1,13 +1,13 @@
 #include "pipeline/artifact/group.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <set>
 
 #include "pipeline/artifact/claim.h"
 #include "pipeline/artifact/launch.h"
 #include "pipeline/artifact/program.h"
+#include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 
@@ -33,10 +33,6 @@ bool waits_for(const std::vector<Candidate>& groups, std::size_t group, std::siz
       if (seen.insert(next).second) way.push_back(next);
   }
   return false;
-}
-
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ bool shares_terminal() {
 
 }  // namespace
 
+double seconds_now() { return duration<double>(std::chrono::system_clock::now().time_since_epoch()).count(); }
+
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds)) return "unknown time";
   const auto whole = static_cast<std::int64_t>(std::llround(seconds));

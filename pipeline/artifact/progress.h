@@ -30,6 +30,8 @@ class Progress {
   Clock::time_point started_, shown_;
 };
 
+// Seconds after 1970.
+double seconds_now();
 // "4.2 s", "42 s", "3:07" (minutes), "2:03:07" (hours).
 std::string duration_text(double seconds);
 // "layer1/03: 4200 of 10000 generations, 42 %, 103/s, 0:56 left"

@@ -7,6 +7,7 @@
 
 #include "pipeline/artifact/launch.h"
 #include "pipeline/artifact/progress.h"
+#include "pipeline/artifact/tally.h"
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 #include "pipeline/process/run_child.h"
@@ -167,8 +168,11 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
     keep(workspace, node, found, output.path, run_facts(*record, waited, tries.failures(), options));
     fs::remove_all(checkpoint);
     const bool tell = waited >= 1 && (!options.launch.empty() || options.handover);
-    fmt::print(stderr, "{}: made in {}{}\n", name, duration_text(record->seconds),
-               tell ? fmt::format(", {} after it was launched", duration_text(waited)) : "");
+    const std::string tally =
+        options.counted ? count_made(workspace.out, node.stage, record->seconds, seconds_now()) : "";
+    fmt::print(stderr, "{}: made in {}{}{}\n", name, duration_text(record->seconds),
+               tell ? fmt::format(", {} after it was launched", duration_text(waited)) : "",
+               tally.empty() ? "" : fmt::format("; {}", tally));
     return 0;
   }
 }

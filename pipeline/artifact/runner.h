@@ -35,6 +35,7 @@ struct RunOptions {
   int retries = 0;      // how often a failed stage is tried again
   std::optional<Handover> handover = {};
   double waited_seconds = 0;  // of a queue, before this runner was started
+  bool counted = false;       // a make counts what is made (tally.h)
 };
 
 // Where a stage program is to write, and which it is to be: without these two, it leaves no record and does

@@ -33,15 +33,25 @@ std::set<std::string> stage_or_family(const std::vector<std::string>& stages, co
   return family;
 }
 
+// Some dozens of names: a family of more than two by its name alone.
 [[noreturn]] void fail(const std::string& goal, const std::vector<std::string>& stages,
                        const std::vector<std::string>& variations) {
-  std::vector<std::string> names = stages;
-  for (const std::string& stage : stages) names.push_back(stage.substr(0, stage.find('_')));
+  const auto family_of = [](const std::string& stage) { return stage.substr(0, stage.find('_')); };
+  std::map<std::string, int> members;
+  for (const std::string& stage : stages) ++members[family_of(stage)];
+  std::vector<std::string> names{"all"}, listed;
+  for (const std::string& stage : stages) {
+    const std::string family = family_of(stage);
+    names.insert(names.end(), {stage, family});
+    const int size = members[family];
+    const std::string entry = size > 2 ? fmt::format("{} ({} stages)", family, size) : stage;
+    if (!contains(listed, entry)) listed.push_back(entry);
+  }
   names.insert(names.end(), variations.begin(), variations.end());
   const std::string more =
       variations.empty() ? "" : fmt::format("; the variations are: {}", fmt::join(variations, ", "));
-  throw InputError("no stage '{}'{}; the stages are: {}{}", goal, did_you_mean(goal, names),
-                   fmt::join(stages, ", "), more);
+  throw InputError("no stage '{}'{}; `make status` lists all; the stages and families are: {}{}", goal,
+                   did_you_mean(goal, names), fmt::join(listed, ", "), more);
 }
 
 // Targets (graph.h).

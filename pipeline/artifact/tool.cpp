@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdlib>
 #include <set>
 
@@ -13,10 +14,12 @@
 #include "pipeline/artifact/lock.h"
 #include "pipeline/artifact/plan.h"
 #include "pipeline/artifact/program.h"
+#include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/record.h"
 #include "pipeline/artifact/runner.h"
 #include "pipeline/artifact/selection.h"
 #include "pipeline/artifact/status.h"
+#include "pipeline/artifact/tally.h"
 #include "pipeline/artifact/threads.h"
 #include "pipeline/artifact/version.h"
 #include "pipeline/core/file_error.h"
@@ -96,14 +99,21 @@ int make(Arguments& arguments, const Graph& graph, const Graph& all) {
     nothing_to_do(arguments, graph);
     return 0;
   }
+  std::vector<std::string> to_run;
+  for (std::size_t i = 0; i < graph.size(); ++i)
+    if (freshness[i].state != State::fresh) to_run.push_back(graph[i].stage);
+  start_tally(arguments.workspace.out, to_run, seconds_now());
   const int threads = threads_to_launch_with(arguments);
   const std::size_t launches =
       write_plan(arguments.workspace.out, graph, freshness, threads, arguments.group);
-  fmt::print("{}: {} of {} artifacts to make{}, {} to a stage program\n", arguments.workspace.out.string(),
-             stale, graph.size(), launches == stale ? "" : fmt::format(" in {} launches", launches),
-             threads == 0   ? std::string("the processors that it is launched on")
-             : threads == 1 ? std::string("one thread")
-                            : fmt::format("{} threads", threads));
+  fmt::print(
+      "{}: {} of {} artifacts to make{}, {} to a stage program; stopped at any time, the same command goes "
+      "on\n",
+      arguments.workspace.out.string(), stale, graph.size(),
+      launches == stale ? "" : fmt::format(" in {} launches", launches),
+      threads == 0   ? std::string("the processors that it is launched on")
+      : threads == 1 ? std::string("one thread")
+                     : fmt::format("{} threads", threads));
   std::fflush(stdout);
 
   set("HBR_TOOL", fs::read_symlink("/proc/self/exe").string());
@@ -155,6 +165,7 @@ int run(Arguments& arguments) {
   }
   arguments.workspace.remember = true;
   arguments.run.threads = threads_to_launch_with(arguments);
+  arguments.run.counted = std::getenv("HBR_MAKE") != nullptr;
   std::vector<Node> nodes;
   for (const std::string& output : arguments.outputs) {
     Node named;
@@ -197,6 +208,21 @@ int tell_audit(const Arguments& arguments, const Graph& graph) {
   return found.problems.empty() ? 0 : 1;
 }
 
+// A number that users give by a variable of make.
+template <class Number>
+CLI::Option* add_number(CLI::App* command, const char* option, const char* variable, Number most,
+                        Number& value, const char* meaning) {
+  return command->add_option_function<std::string>(
+      option,
+      [=, &value](const std::string& word) {
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (error != std::errc() || end != word.data() + word.size() || !(value >= 0 && value <= most))
+          throw InputError("{} is '{}': expected a {}number from 0 to {} ({})", variable, word,
+                           std::is_integral_v<Number> ? "whole " : "", most, meaning);
+      },
+      meaning);
+}
+
 }  // namespace
 
 int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>& experiment) {
@@ -212,26 +238,25 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
         ->envname("HBR_PROGRAMS");
     command->add_option("--repository", a.workspace.repository, "what sources are below")
         ->envname("HBR_REPOSITORY");
-    command->add_option("--threads", a.threads, "threads of one stage program")
-        ->check(CLI::Range(0, 4096))
+    add_number(command, "--threads", "THREADS", 4096, a.threads,
+               "threads of one stage program; 0: what there is")
         ->envname("HBR_THREADS");
     command->add_option("--launch", a.run.launch, "words before every stage program")->envname("HBR_LAUNCH");
-    command->add_option("--retry", a.run.retries, "how often a failed stage is tried again")
-        ->check(CLI::Range(0, 100))
+    add_number(command, "--retry", "RETRY", 100, a.run.retries, "how often a failed stage is tried again")
         ->envname("HBR_RETRY");
     return command;
   };
   const auto add_for_profile = [&](const char* name, const char* meaning) {
     CLI::App* command = add(name, meaning);
     command->add_option("--profile", a.profile, "profile (TOML)")->required();
-    command->add_option("--replication", a.replication, "only this one of the goals' stages")
-        ->check(CLI::Range(0, 9999));
+    add_number(command, "--replication", "REP", 9999, a.replication,
+               "only this replication of the goals' stages");
     command->add_option("goals", a.goals, "stages, families of stages, or all");
     return command;
   };
   CLI::App* const make_command = add_for_profile("make", "make what is not fresh (through make)");
-  make_command->add_option("--group", a.group, "seconds of a replication's stages that are run by one launch")
-      ->check(CLI::Range(0.0, 1e9));
+  add_number(make_command, "--group", "GROUP", 1e9, a.group,
+             "seconds of a replication's stages that are run by one launch");
   make_command->add_option("--make", a.make, "the make to use");
   make_command->add_option("--parent", a.parent, "the process with which to end");
   CLI::App* const plan_command = add_for_profile("plan", "check the profile and list what make would run");

@@ -65,6 +65,17 @@ TEST_F(Makefile, ChangedSettingsReachCMake) {
   }
 }
 
+TEST_F(Makefile, AVariableThatItDoesNotHeedIsRefused) {
+  for (const char* words : {"build PROFIL=reduced", "help THREDS=2", "all CXXFLAGS=-O0"}) {
+    const ShellResult outcome = make(words);
+    EXPECT_EQ(outcome.code, 2) << words;
+    const std::string name = std::string(words).substr(0, std::string(words).find('='));
+    EXPECT_THAT(outcome.text, HasSubstr("there is no variable '" + name.substr(name.find(' ') + 1) +
+                                        "'; there are PROFILE"));
+    EXPECT_THAT(outcome.text, Not(HasSubstr("arch native")));
+  }
+}
+
 TEST_F(Makefile, AMovedOrCopiedCheckoutBuildsItsOwnSources) {
   make("build");
   const fs::path copy = folder_.path() / "copy", moved = folder_.path() / "moved";

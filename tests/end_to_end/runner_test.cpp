@@ -82,12 +82,40 @@ TEST(Runner, StagesFamiliesAndReplicationsByName) {
   FakeFolder folder("goals");
   EXPECT_EQ(made(folder.make("--replication 1 layer_b")), "base layer_a/01 layer_b/01");
   EXPECT_EQ(made(folder.make("layer")), "layer_a/00 layer_b/00");
-  EXPECT_THAT(folder.make("layr_a").text,
-              HasSubstr("no stage 'layr_a' (did you mean 'layer_a'?); the stages are: base,"));
+  EXPECT_THAT(
+      folder.make("layr_a").text,
+      HasSubstr(
+          "no stage 'layr_a' (did you mean 'layer_a'?); `make status` lists all; the stages and families "
+          "are: base, layer_a, layer_b, sum, pages\n"));
   EXPECT_EQ(folder.make("layr_a").code, 2);
   EXPECT_THAT(folder.make("layr").text, HasSubstr("(did you mean 'layer'?)"));
   EXPECT_THAT(folder.make("--replication 2 layer_a").text,
               HasSubstr("no replication 2: they go from 0 to 1"));
+}
+
+TEST(Runner, NumbersThatAreNoneAreToldByTheNameThatUsersGive) {
+  FakeFolder folder("numbers");
+  for (const auto& [option, told] :
+       {std::pair{"--replication x", "REP is 'x': expected a whole number from 0 to 9999 ("},
+        {"--replication -1", "REP is '-1': expected"},
+        {"--replication 1.5", "REP is '1.5': expected"},
+        {"--threads 5000", "THREADS is '5000': expected a whole number from 0 to 4096 ("},
+        {"--retry many", "RETRY is 'many': expected a whole number from 0 to 100 ("},
+        {"--group soon", "GROUP is 'soon': expected a number from 0 to 1000000000 ("}}) {
+    const ShellResult outcome = folder.make(option);
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.text, HasSubstr(told));
+    EXPECT_EQ(std::ranges::count(outcome.text, '\n'), 1) << outcome.text;
+  }
+}
+
+TEST(Runner, TellsHowFarTheWholeMakeIs) {
+  FakeFolder folder("tally");
+  const std::string text = folder.make().text;
+  EXPECT_THAT(text, HasSubstr("base: made in"));
+  EXPECT_THAT(text, HasSubstr("; 1 of 7"));
+  EXPECT_THAT(text, HasSubstr("; 7 of 7\n"));
+  EXPECT_THAT(text, HasSubstr("stopped at any time, the same command goes on"));
 }
 
 TEST(Runner, PlanTellsTheTruthAndWritesNothing) {
