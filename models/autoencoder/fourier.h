@@ -178,8 +178,8 @@ HBR_INLINE void spectra_to_maps(const Lanes* spectra, Store&& store) {
                      [&](int y, int x, Lanes value) { store(y, x, m, value); });
 }
 
-// Of the sub-pixel form {5, 5, 8 inputs, 32 outputs}: its spectra [number][input][output], and back. Both divide by
-// kSpectrum, so that a way to spectra and back by the functions above needs no further factor.
+// Of the sub-pixel form {5, 5, 8 inputs, 32 outputs}: its spectra [number][input][output], and back. Both
+// divide by kSpectrum, so that a way to spectra and back by the functions above needs no further factor.
 inline constexpr int kDeconv2Spectra = kSpectrum * kMaps * 4 * kMaps;
 void deconv2_to_spectra(const float* kernel, float* spectra);
 void deconv2_from_spectra(const float* spectra, float* kernel);
