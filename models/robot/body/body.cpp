@@ -70,6 +70,7 @@ Body::Body(RobotModel model, std::vector<std::string> moving, const std::map<std
       lower_(static_cast<Eigen::Index>(moving_.size())),
       upper_(lower_.size()),
       plan_(std::make_unique<SystemPlan>(SystemPlan{join_parts(model_, moving_, rest)})),
+      tree_(std::make_unique<MotionTree>(model_, *plan_, plan_->ground, plan_->pose, lower_.size())),
       pool_(std::make_unique<Pool>()) {
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     const Joint& joint = model_.joints[model_.joint(moving_[i])];
@@ -94,6 +95,7 @@ void Body::stand_on(int link, const std::map<std::string, double>& rest) {
   plan_->pose = link_poses(posture(rest))[link] * place.pose.inverse();
   plan_->ground = place.part;
   plan_->impossible = impossible(model_, *plan_, place.part);
+  tree_ = std::make_unique<MotionTree>(model_, *plan_, plan_->ground, plan_->pose, dof());
   pool_->idle.clear();  // they stand on the root
   const Lease first(*this);
 }
@@ -165,40 +167,7 @@ void Body::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speed
   HBR_CHECK(joints.size() == dof() && speeds.size() == dof(), "joints {}, speeds {}, expected {}",
             joints.size(), speeds.size(), dof());
   if (!plan_->impossible.empty()) throw InputError("{}", plan_->impossible);
-  const Lease instance(*this);
-  instance->pose(*plan_, joints.data());
-  SimTK::State& state = instance->state;
-  const std::size_t n = plan_->parts.size();
-  for (std::size_t i = 0; i < n; ++i)
-    if (instance->slots[i] >= 0)
-      state.updU()[instance->slots[i]] = plan_->parts[i].multiplier * speeds[plan_->parts[i].coordinate];
-  instance->system.realize(state, SimTK::Stage::Velocity);
-
-  instance->forces = SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0));
-  for (std::size_t i = 0; i < n; ++i) {
-    const SimTK::MobilizedBody& body = instance->bodies[i];
-    const SimTK::Vec3 weight = plan_->parts[i].mass * vec3(gravity),
-                      arm = body.getBodyRotation(state) * vec3(plan_->parts[i].centre);
-    instance->forces[body.getMobilizedBodyIndex()] = {arm % weight, weight};
-  }
-  instance->matter.calcResidualForceIgnoringConstraints(state, instance->no_torques, instance->forces,
-                                                        instance->no_accelerations, instance->residual);
-  instance->matter.calcM(state, instance->mass);
-
-  // Joints that follow others add up in the coordinate that they follow.
-  out.mass.setZero(dof(), dof());
-  out.bias.setZero(dof());
-  for (std::size_t i = 0; i < n; ++i) {
-    if (instance->slots[i] < 0) continue;
-    const Part& a = plan_->parts[i];
-    out.bias[a.coordinate] += a.multiplier * instance->residual[instance->slots[i]];
-    for (std::size_t k = 0; k < n; ++k) {
-      if (instance->slots[k] < 0) continue;
-      const Part& b = plan_->parts[k];
-      out.mass(a.coordinate, b.coordinate) +=
-          a.multiplier * b.multiplier * instance->mass(instance->slots[i], instance->slots[k]);
-    }
-  }
+  tree_->equations(joints, speeds, gravity, out);
 }
 
 std::vector<bool> Body::moves(int link) const {

@@ -1,4 +1,6 @@
-// A robot as a Simbody multibody system: any URDF, posed by the joints that are asked for.
+// A robot as a multibody system: any URDF, posed by the joints that are asked for. Simbody knows where its
+// links are; its equations of motion, which servos ask for at every step, are a recursion of our own
+// (motion_tree.h).
 //
 // The body is immutable. Every thread that asks it something works on a System and State of its own, taken
 // from a pool, so all members may be called from any thread at once. Only simbody_system.h sees Simbody's
@@ -11,16 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "models/robot/body/motion_tree.h"
 #include "models/robot/description/robot_model.h"
 
 namespace hbr {
-
-// mass * accelerations + bias = torques: what a body obeys at its joints and speeds. The bias are the torques
-// that hold it against gravity and against centrifugal and Coriolis forces.
-struct Equations {
-  Eigen::MatrixXd mass;  // [dof x dof], kg m^2 (kg for prismatic joints)
-  Eigen::VectorXd bias;  // [dof], N m (N)
-};
 
 struct SystemPlan;
 
@@ -79,6 +75,7 @@ class Body {
   std::vector<std::string> moving_;
   Eigen::VectorXd lower_, upper_;
   std::unique_ptr<SystemPlan> plan_;
+  std::unique_ptr<MotionTree> tree_;
   std::unique_ptr<Pool> pool_;
 };
 

@@ -49,10 +49,6 @@ SimbodySystem::SimbodySystem(const RobotModel& model, const SystemPlan& plan) : 
   system.realizeModel(state);
   for (const int moved : mobilised)
     slots.push_back(moved < 0 ? -1 : static_cast<int>(bodies[moved].getFirstQIndex(state)));
-  no_torques.resize(state.getNU());
-  no_accelerations.resize(state.getNU());
-  no_torques = no_accelerations = 0;
-  forces.resize(matter.getNumBodies());
 }
 
 // Part `to`, hung on part `from` by the joint of one of the two.

@@ -30,9 +30,6 @@ struct SimbodySystem {
   std::vector<int> slots;                    // of each part's joint: its place among the state's coordinates
   SimTK::State state;
   SimTK::Matrix_<SimTK::Vec3> jacobian;
-  SimTK::Matrix mass;
-  SimTK::Vector_<SimTK::SpatialVec> forces;
-  SimTK::Vector no_torques, no_accelerations, residual;
 
   // A tree that grows from the part that stands still: joints on the way from there to the root are built
   // from their child to their parent, and mean the same.

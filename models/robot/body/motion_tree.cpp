@@ -1,0 +1,142 @@
+#include "models/robot/body/motion_tree.h"
+
+namespace hbr {
+namespace {
+
+// Six-dimensional vectors about the origin of the ground's frame: of motion, the velocity of the body and
+// that of its point at the origin; of force, the moment about the origin and the force.
+struct Spatial {
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero(), straight = Eigen::Vector3d::Zero();
+
+  Spatial operator+(const Spatial& b) const { return {turning + b.turning, straight + b.straight}; }
+  Spatial operator*(double s) const { return {s * turning, s * straight}; }
+  double dot(const Spatial& b) const { return turning.dot(b.turning) + straight.dot(b.straight); }
+};
+
+// How a motion changes that is carried along by the motion v; and a force.
+Spatial carried_motion(const Spatial& v, const Spatial& m) {
+  return {v.turning.cross(m.turning), v.turning.cross(m.straight) + v.straight.cross(m.turning)};
+}
+Spatial carried_force(const Spatial& v, const Spatial& f) {
+  return {v.turning.cross(f.turning) + v.straight.cross(f.straight), v.turning.cross(f.straight)};
+}
+
+// Of a rigid body, about the origin.
+struct SpatialInertia {
+  double mass = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // mass * centre
+  Eigen::Matrix3d turning = Eigen::Matrix3d::Zero();
+
+  Spatial operator*(const Spatial& v) const {
+    return {turning * v.turning + moment.cross(v.straight), mass * v.straight - moment.cross(v.turning)};
+  }
+  void operator+=(const SpatialInertia& b) {
+    mass += b.mass;
+    moment += b.moment;
+    turning += b.turning;
+  }
+};
+
+// The inertia that a mass in one point has about the origin.
+Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& c) {
+  return mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
+}
+
+struct MovingLimb {
+  Eigen::Isometry3d pose;
+  Spatial axis;              // of the joint: the motion of what it carries, for a speed of 1
+  Spatial speed;             // of the part
+  Spatial acceleration;      // with the joints' accelerations 0, and with gravity
+  Spatial force;             // on the part and on what it carries
+  SpatialInertia composite;  // of the part and what it carries
+};
+
+}  // namespace
+
+MotionTree::MotionTree(const RobotModel& model, const Parts& parts, int ground, const Eigen::Isometry3d& pose,
+                       Eigen::Index dof)
+    : pose_(pose), dof_(dof) {
+  struct Grown {
+    int part, limb;  // the part, and its place among the limbs
+  };
+  std::vector<bool> hung(parts.parts.size(), false);
+  hung[ground] = true;
+  std::vector<Grown> grown{{ground, -1}};
+  for (std::size_t next = 0; next < grown.size(); ++next) {
+    const Grown from = grown[next];
+    const auto hang = [&](int to, int joint_of) {
+      if (hung[to]) return;
+      hung[to] = true;
+      const Part &part = parts.parts[to], &moved = parts.parts[joint_of];
+      const Joint& joint = model.joints[moved.joint];
+      grown.push_back({to, static_cast<int>(limbs_.size())});
+      limbs_.push_back({from.limb, to != joint_of, joint.kind == Joint::Kind::prismatic, moved.origin,
+                        joint.axis, moved.coordinate, moved.multiplier, moved.offset, part.mass, part.centre,
+                        part.inertia_origin - point_inertia(part.mass, part.centre)});
+    };
+    if (const int parent = parts.parts[from.part].parent; parent >= 0) hang(parent, from.part);
+    for (int child = 1; child < static_cast<int>(parts.parts.size()); ++child)
+      if (parts.parts[child].parent == from.part) hang(child, child);
+  }
+}
+
+void MotionTree::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                           const Eigen::Vector3d& gravity, Equations& out) const {
+  const std::size_t n = limbs_.size();
+  std::vector<MovingLimb> moving(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Limb& limb = limbs_[i];
+    MovingLimb& now = moving[i];
+    const double position = limb.multiplier * joints[limb.coordinate] + limb.offset,
+                 speed = limb.multiplier * speeds[limb.coordinate];
+    Eigen::Isometry3d joint = limb.origin;
+    if (limb.slides)
+      joint.translate(position * limb.axis);
+    else
+      joint.rotate(Eigen::AngleAxisd(position, limb.axis));
+    const Eigen::Isometry3d& carrier = limb.on < 0 ? pose_ : moving[limb.on].pose;
+    now.pose = limb.reversed ? carrier * joint.inverse() : carrier * joint;
+    // The axis is where the joint is in its child; turned back where the child carries.
+    const Eigen::Isometry3d& child = limb.reversed ? carrier : now.pose;
+    const Eigen::Vector3d axis = (limb.reversed ? -1 : 1) * (child.linear() * limb.axis);
+    now.axis =
+        limb.slides ? Spatial{Eigen::Vector3d::Zero(), axis} : Spatial{axis, child.translation().cross(axis)};
+
+    const Spatial own = now.axis * speed;
+    now.speed = own;
+    now.acceleration = {Eigen::Vector3d::Zero(), -gravity};
+    if (limb.on >= 0) {
+      now.speed = moving[limb.on].speed + own;
+      now.acceleration = moving[limb.on].acceleration;
+    }
+    now.acceleration = now.acceleration + carried_motion(now.speed, own);
+
+    const Eigen::Vector3d centre = now.pose * limb.centre;
+    now.composite = {
+        limb.mass, limb.mass * centre,
+        now.pose.linear() * limb.inertia * now.pose.linear().transpose() + point_inertia(limb.mass, centre)};
+    now.force = now.composite * now.acceleration + carried_force(now.speed, now.composite * now.speed);
+  }
+
+  // Joints that follow others add up in the coordinate that they follow.
+  out.mass.setZero(dof_, dof_);
+  out.bias.setZero(dof_);
+  for (std::size_t i = n; i-- > 0;) {
+    const Limb& limb = limbs_[i];
+    const MovingLimb& now = moving[i];
+    out.bias[limb.coordinate] += limb.multiplier * now.axis.dot(now.force);
+    const Spatial force = now.composite * now.axis;
+    for (int k = static_cast<int>(i); k >= 0; k = limbs_[k].on) {
+      const Limb& carrier = limbs_[k];
+      const double entry = limb.multiplier * carrier.multiplier * moving[k].axis.dot(force);
+      out.mass(limb.coordinate, carrier.coordinate) += entry;
+      if (k != static_cast<int>(i)) out.mass(carrier.coordinate, limb.coordinate) += entry;
+    }
+    if (limb.on >= 0) {
+      moving[limb.on].composite += now.composite;
+      moving[limb.on].force = moving[limb.on].force + now.force;
+    }
+  }
+}
+
+}  // namespace hbr

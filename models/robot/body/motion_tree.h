@@ -1,0 +1,50 @@
+// The equations of motion of parts that hang on each other, by recursion (R. Featherstone, Rigid Body
+// Dynamics Algorithms, 2008: composite rigid bodies, recursive Newton-Euler). A part costs the same however
+// many there are, and only joints of which one carries the other have a common entry in the mass matrix.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "models/robot/description/parts.h"
+
+namespace hbr {
+
+// mass * accelerations + bias = torques: what a body obeys at its joints and speeds. The bias are the torques
+// that hold it against gravity and against centrifugal and Coriolis forces.
+struct Equations {
+  Eigen::MatrixXd mass;  // [dof x dof], kg m^2 (kg for prismatic joints)
+  Eigen::VectorXd bias;  // [dof], N m (N)
+};
+
+class MotionTree {
+ public:
+  // The part `ground` stands still at `pose`; joints on the way from there to part 0 move their parents.
+  MotionTree(const RobotModel& model, const Parts& parts, int ground, const Eigen::Isometry3d& pose,
+             Eigen::Index dof);
+
+  // At these joints and speeds [dof] under uniform gravity, m/s^2. Thread-safe.
+  void equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds, const Eigen::Vector3d& gravity,
+                 Equations& out) const;
+
+ private:
+  // A part that moves, hung on one before it in this list; -1 is the ground.
+  struct Limb {
+    int on;
+    bool reversed;  // the joint's child carries its parent
+    bool slides;
+    Eigen::Isometry3d origin;  // of the joint, in the frame of its parent
+    Eigen::Vector3d axis;
+    int coordinate;
+    double multiplier, offset;  // position of the joint: multiplier * coordinate + offset
+    double mass;
+    Eigen::Vector3d centre;   // of mass, in the part's frame
+    Eigen::Matrix3d inertia;  // about the centre, in the part's frame
+  };
+
+  Eigen::Isometry3d pose_;
+  std::vector<Limb> limbs_;  // carriers before what they carry
+  Eigen::Index dof_;
+};
+
+}  // namespace hbr
