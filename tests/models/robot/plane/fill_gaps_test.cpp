@@ -5,24 +5,10 @@
 
 #include "pipeline/hierarchy/joints.h"
 #include "pipeline/qd/places.h"
-#include "tests/models/robot/body/chains.h"
+#include "tests/models/robot/plane/three_links.h"
 
 namespace hbr {
 namespace {
-
-constexpr double kTolerance = 0.01;
-const Frame kFrame{3, 0};
-
-// On the robot's side of the plane, and next to nothing.
-const std::string kBeside =
-    R"(<visual><origin xyz="-0.1 0.2 0.3"/><geometry><sphere radius="0.0001"/></geometry></visual>)";
-
-// Three links of 1 m in the plane x = 0 which turn all round; a metre of the arm is one of theirs.
-const RobotOnPlane& three_links() {
-  static const RobotOnPlane robot("three", chain({Turn{}, Turn{}, Turn{}}, "1 0 0", kBeside), "tip",
-                                  DrawingPlane::facing({0, 0, 0}, 0, 0, 1), kTolerance);
-  return robot;
-}
 
 // Elites with these joints.
 Elites elites_of(const std::vector<Eigen::Vector3d>& all) {

@@ -1,0 +1,143 @@
+#include "models/robot/plane/posture_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "models/robot/plane/points_on_plane.h"
+#include "pipeline/core/random.h"
+#include "pipeline/hierarchy/joints.h"
+#include "tests/models/robot/plane/three_links.h"
+
+namespace hbr {
+namespace {
+
+const double kLimit = three_links().upper()[0];
+
+// Layer 1 of random configurations, which hold the arm in all ways.
+const PointLayer& points() {
+  static const PointLayer layer = [] {
+    Rng rng(Seed(4));
+    Elites elites;
+    elites.solution.resize(600, 3);
+    for (float& gene : elites.solution.reshaped()) gene = rng.uniform();
+    elites.measures = Rows::Zero(600, 2);
+    elites.objective = Eigen::VectorXf::Zero(600);
+    for (Eigen::Index i = 0; i < 600; ++i) {
+      elites.id.push_back(i);
+      elites.parent.push_back(-1);
+      perform_point(three_links(), kFrame, elites, i);
+    }
+    return PointLayer(elites, three_links(), kFrame);
+  }();
+  return layer;
+}
+
+// From elite to elite along a line, as layers above go.
+Trace along(const Eigen::Vector2d& from, const Eigen::Vector2d& to, int n) {
+  Trace trace;
+  for (int k = 0; k < n; ++k) {
+    const std::int32_t elite = points().nearest(from + (to - from) * k / (n - 1));
+    const Eigen::Vector2d p = points().position(elite);
+    trace.pen.insert(trace.pen.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
+    trace.joints.insert(trace.joints.end(), points().joints(elite), points().joints(elite) + 3);
+  }
+  return trace;
+}
+
+// All configurations that bring the tip to a place, the first joint on a grid: two for the other joints each.
+std::vector<Eigen::Vector3d> all_inverse(const Eigen::Vector3d& target) {
+  std::vector<Eigen::Vector3d> all;
+  const RobotOnPlane& robot = three_links();
+  for (int i = 0; i <= 500; ++i) {
+    const Eigen::Vector3d straight(kLimit * (i / 250.0 - 1), 0, 0);
+    const Eigen::Vector3d elbow = robot.body().position(robot.body().model().link("link1"), straight.data());
+    const double far = (target - elbow).norm();
+    if (far > 2 || far < 1e-9) continue;
+    // Two links of 1 m: half the opening, and the direction relative to the first link's.
+    const double half = std::acos(far / 2);
+    const Eigen::Vector3d along = (elbow -
+                                   robot.body().position(robot.body().model().link("link0"), straight.data()))
+                                      .normalized(),
+                          to = (target - elbow).normalized();
+    const double turn = std::atan2(along.y() * to.z() - along.z() * to.y(), along.dot(to));
+    for (const double side : {-1.0, 1.0}) {
+      const double second = std::remainder(turn + side * half, 2 * std::numbers::pi);
+      const Eigen::Vector3d q(straight[0], second, -side * 2 * half);
+      if (q.cwiseAbs().maxCoeff() <= kLimit) all.push_back(q);
+    }
+  }
+  return all;
+}
+
+// The shortest way through all of them.
+double brute_force(const Trace& trace) {
+  std::vector<Eigen::Vector3d> before;
+  std::vector<double> travel;
+  for (Eigen::Index k = 0; k < trace.points(); ++k) {
+    const std::vector<Eigen::Vector3d> here =
+        all_inverse(three_links().plane().to_robot({trace.pen[2 * k], trace.pen[2 * k + 1]}));
+    std::vector<double> shortest(here.size(), k == 0 ? 0 : std::numeric_limits<double>::infinity());
+    for (std::size_t to = 0; to < here.size(); ++to)
+      for (std::size_t from = 0; from < before.size(); ++from)
+        shortest[to] = std::min(shortest[to], travel[from] + (here[to] - before[from]).norm());
+    before = here;
+    travel = shortest;
+  }
+  return *std::ranges::min_element(travel);
+}
+
+void expect_draws(const Trace& trace, const std::vector<double>& joints) {
+  const RobotOnPlane& robot = three_links();
+  ASSERT_EQ(joints.size(), trace.joints.size());
+  for (Eigen::Index k = 0; k < trace.points(); ++k) {
+    const Eigen::Vector3d target = robot.plane().to_robot({trace.pen[2 * k], trace.pen[2 * k + 1]});
+    EXPECT_LE((robot.body().position(robot.tip(), &joints[3 * k]) - target).norm(), kTolerance / 10);
+    for (int i = 0; i < 3; ++i) EXPECT_LE(std::abs(joints[3 * k + i]), kLimit);
+    EXPECT_TRUE(robot.clear(&joints[3 * k], kFrame.half_side));
+  }
+}
+
+TEST(PosturePath, InverseSolutionsOfTheTestAreSolutions) {
+  const Eigen::Vector3d target(0, 1.2, 0.7);
+  const auto all = all_inverse(target);
+  ASSERT_GT(all.size(), 100u);
+  for (const Eigen::Vector3d& q : all)
+    EXPECT_LT((three_links().body().position(three_links().tip(), q.data()) - target).norm(), 1e-9);
+}
+
+TEST(PosturePath, IsNearlyTheShortestOfAll) {
+  for (const auto& [from, to] : {std::pair{Eigen::Vector2d(1, -1), Eigen::Vector2d(1.4, 1.2)},
+                                 {Eigen::Vector2d(-1.5, 0.5), Eigen::Vector2d(0.5, 1.8)}}) {
+    const Trace trace = along(from, to, 25);
+    const std::vector<double> found = least_travel(three_links(), points(), trace);
+    expect_draws(trace, found);
+    EXPECT_LT(joint_travel(found, 3), joint_travel(trace.joints, 3) / 5);
+    EXPECT_LT(joint_travel(found, 3), 1.1 * brute_force(trace));
+  }
+}
+
+TEST(PosturePath, IsNeverLongerThanTheTraces) {
+  Rng rng(Seed(9));
+  for (int trial = 0; trial < 10; ++trial) {
+    const auto random = [&] { return Eigen::Vector2d(rng.uniform(-2, 2), rng.uniform(-2, 2)); };
+    const Trace trace = along(random(), random(), 2 + trial);
+    const std::vector<double> found = least_travel(three_links(), points(), trace);
+    expect_draws(trace, found);
+    EXPECT_LE(joint_travel(found, 3), joint_travel(trace.joints, 3) + 1e-12);
+    EXPECT_EQ(least_travel(three_links(), points(), trace), found);  // the same again
+  }
+}
+
+TEST(PosturePath, APointIsItself) {
+  const Trace point = along({1, 1}, {1, 1}, 2);
+  Trace one{{point.pen[0], point.pen[1]}, {point.joints.begin(), point.joints.begin() + 3}};
+  EXPECT_EQ(least_travel(three_links(), points(), one), one.joints);
+  EXPECT_EQ(joint_travel(one.joints, 3), 0);
+  EXPECT_NEAR(joint_travel({0, 0, 0, 3, 4, 0, 3, 4, 2}, 3), 7, 1e-12);
+}
+
+}  // namespace
+}  // namespace hbr
