@@ -65,6 +65,20 @@ void add_loads(Pooled& pooled, const Artifact& artifact, const Hdf5Reader& file,
   pooled.add(artifact, player + "_" + load, greatest, 100);
 }
 
+std::vector<std::uint8_t> flags(const Hdf5Reader& file, const std::string& array) {
+  return file.read<std::uint8_t>(array).values;
+}
+
+// The share of the digits that are marked, in per cent; of those that `among` marks, where it marks any.
+void add_share(StatisticsTable& table, const Artifact& artifact, const std::string& measure,
+               const std::vector<std::uint8_t>& marked, const std::vector<std::uint8_t>& among) {
+  const auto all = static_cast<double>(among.empty() ? static_cast<std::ptrdiff_t>(marked.size())
+                                                     : std::ranges::count(among, 1));
+  if (all > 0)
+    table.add(artifact.name.prefix() + "." + measure, artifact.name.replication,
+              100 * static_cast<double>(std::ranges::count(marked, 1)) / all);
+}
+
 }  // namespace
 
 void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
@@ -97,11 +111,17 @@ void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& tabl
     const Hdf5Reader file(artifact.path);
     pooled.add(artifact, file, "duration", "duration", 1);
     const bool whole = file.has("whole/rms");
-    for (const std::string player : {"wanted", "arm", "whole"}) {
+    for (const std::string player : {"elites", "wanted", "arm", "whole"}) {
       if (player == "whole" && !whole) continue;
       for (const char* difference : {"absolute", "squared"})
         pooled.add(artifact, file, player + "/" + difference, player + "_" + difference, 100);
-      if (player == "wanted") continue;
+      if (player == "elites" || player == "wanted") {
+        pooled.add(artifact, file, player + "/travel", player + "_travel", 1);
+        continue;
+      }
+      for (const char* loss : {"off_board", "beyond_limit"})
+        add_share(table, artifact, player + "_" + loss, flags(file, player + "/" + loss), {});
+      add_share(table, artifact, player + "_lost", flags(file, player + "/lost"), flags(file, "readable"));
       for (const char* error : {"rms", "max", "off_plane"})  // in millimetres
         pooled.add(artifact, file, player + "/" + error, player + "_" + error, 1000);
       pooled.add(artifact, file, player + "/faster", player + "_faster", 1);

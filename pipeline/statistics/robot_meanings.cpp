@@ -31,6 +31,10 @@ constexpr std::array kOfReplays = {
     Entry{"squared", "%", "{}: squared pixel difference from the digit before"},
     Entry{"torque", "%", "{}: greatest torque of a digit, of its joint's limit"},
     Entry{"speed", "%", "{}: greatest speed of a digit, of its joint's limit"},
+    Entry{"travel", "rad", "{}: how far the joints turn along a digit"},
+    Entry{"off_board", "%", "{}: digits whose pen goes farther from the board than it draws"},
+    Entry{"beyond_limit", "%", "{}: digits that ask a joint for more than its limit"},
+    Entry{"lost", "%", "{}: digits that the judge could read and can not any more, or reads otherwise"},
     Entry{"faster", "times", "{}: pace at which a joint reaches a limit, over the profile's"},
 };
 
@@ -56,7 +60,8 @@ std::optional<Meaning> of_dynamics(const std::vector<std::string>& parts) {
   if (parts.size() == 3 && parts[2] == "duration") return Meaning{"s", robot + ": duration of a digit"};
   for (const auto& [player, words] : {std::pair<std::string, std::string>{"arm", "drawing joints alone"},
                                       {"whole", "whole body"},
-                                      {"wanted", "the joints' smooth way"}}) {
+                                      {"wanted", "the joints' smooth way"},
+                                      {"elites", "the smooth way through layer 1's own postures"}}) {
     if (!parts[2].starts_with(player + "_")) continue;
     const std::string measure = parts[2].substr(player.size() + 1), subject = robot + ", " + words;
     if (parts.size() == 4 && (measure == "torque_of" || measure == "speed_of"))

@@ -55,6 +55,7 @@ constexpr std::array kContenders = {
     Row{"before", "before", Colour::vermilion},
     Row{"top", "layer 4", Colour::orange},  // a no-break space
     Row{"all", "all", Colour::green},
+    Row{"elites_absolute", "elites", Colour::green},
     Row{"wanted_absolute", "asked", Colour::grey},
     Row{"arm_absolute", "arm", Colour::blue},
     Row{"whole_absolute", "body", Colour::orange},

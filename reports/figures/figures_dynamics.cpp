@@ -132,7 +132,7 @@ Figure dynamics_figure(const Evidence& evidence) {
       return names;
     };
     figure.panels.push_back(gallery_panel(robot + ": digits", gallery(digits)));
-    add(of({"wanted_absolute", "arm_absolute", "whole_absolute"}),
+    add(of({"elites_absolute", "wanted_absolute", "arm_absolute", "whole_absolute"}),
         {.title = "difference per pixel", .unit = "% of white against black", .from_zero = true, .span = 3});
     add(of({"arm_rms", "arm_max", "whole_rms", "whole_max"}),
         {.title = "distance from the way", .unit = "µm (1k: 1 mm)", .logarithmic = true, .scale = 1000});
@@ -156,7 +156,9 @@ Figure dynamics_figure(const Evidence& evidence) {
       "robot’s "
       "description. Before: straight from elite to elite. Asked: the smooth way of the joints that the "
       "servos are to "
-      "follow, which turns where two neighbouring elites hold their joints differently. Arm: the drawing "
+      "follow, which turns them as little as the digit allows; elites: the same through layer 1’s own "
+      "postures, of which "
+      "neighbours may hold the arm differently. Arm: the drawing "
       "joints "
       "under computed torque, all others locked. Body: all joints move, those that do not draw are held by "
       "springs "

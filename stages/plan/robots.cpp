@@ -81,6 +81,7 @@ void plan_transfer(Plan& plan, const RobotSettings& robot) {
              with(plan.run(r),
                   {{"transfer", settings_to_json(p.transfer)}, {"pencil", stack.back()->settings["pencil"]}}),
              both, {robot.urdf});
+    append(by_robot, {{"dataset", "dataset.h5"}, {"judge", "judge.h5"}});
     plan.add("robot_dynamics", robot.name + "_dynamics", r,
              with(plan.run(r), {{"dynamics", settings_to_json(p.dynamics)},
                                 {"robot", settings_to_json(robot)},

@@ -1,9 +1,13 @@
 // The digits replayed by another robot's servos under gravity: its drawing joints alone, and its whole body.
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "models/judge/judge.h"
 #include "models/robot/plane/drawing_servos.h"
+#include "models/robot/plane/posture_path.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/drawing/draw.h"
@@ -57,6 +61,8 @@ struct Player {
   std::vector<float> rms, worst, off_plane;  // [n] m
   std::vector<float> torque, speed;          // [n x dof] shares of the limits
   std::vector<float> faster;                 // [n]
+  std::vector<std::uint8_t> off_board;       // [n] 1: farther from the plane than a pen that draws
+  std::vector<std::uint8_t> beyond_limit;    // [n] 1: more torque or speed was asked for than there is
   std::vector<std::int32_t> limit_joint;     // [n]
   std::vector<std::uint8_t> by_torque;       // [n]
 
@@ -70,13 +76,15 @@ struct Player {
         torque(n * dof()),
         speed(torque.size()),
         faster(n),
+        off_board(n),
+        beyond_limit(n),
         limit_joint(n),
         by_torque(n) {}
 
   std::size_t dof() const { return static_cast<std::size_t>(servos.body().dof()); }
 
-  void set(std::size_t i, const Replay& replay, const Fastest& fastest, const DrawingPlane& plane) {
-    const ReplayErrors errors = replay_errors(replay, plane);
+  void set(std::size_t i, const Replay& replay, const Fastest& fastest, const RobotOnPlane& robot) {
+    const ReplayErrors errors = replay_errors(replay, robot.plane());
     rms[i] = static_cast<float>(errors.rms);
     worst[i] = static_cast<float>(errors.worst);
     off_plane[i] = static_cast<float>(errors.off_plane);
@@ -84,6 +92,8 @@ struct Player {
       torque[i * dof() + k] = static_cast<float>(replay.torque[static_cast<Eigen::Index>(k)]);
       speed[i * dof() + k] = static_cast<float>(replay.speed[static_cast<Eigen::Index>(k)]);
     }
+    off_board[i] = errors.off_plane > robot.off_plane_tolerance();
+    beyond_limit[i] = replay.torque.maxCoeff() > 1 || replay.speed.maxCoeff() > 1;
     faster[i] = static_cast<float>(fastest.factor);
     limit_joint[i] = fastest.joint;
     by_torque[i] = fastest.by_torque;
@@ -98,11 +108,64 @@ struct Player {
     file.write(name + "/torque", shape, torque.data());
     file.write(name + "/speed", shape, speed.data());
     file.write(name + "/faster", faster);
+    file.write(name + "/off_board", off_board);
+    file.write(name + "/beyond_limit", beyond_limit);
     file.write(name + "/limit_joint", limit_joint);
     file.write(name + "/by_torque", by_torque);
     file.attribute(name + ".joints", fmt::format("{}", fmt::join(servos.body().moving(), " ")));
   }
 };
+
+// The tip's way along a movement that is followed exactly, at every command.
+std::vector<Eigen::Vector3d> exact_way(const RobotOnPlane& robot, const JointPath& movement,
+                                       const ServoSettings& servos) {
+  std::vector<Eigen::Vector3d> way;
+  const double period = servos.step * servos.control_every;
+  for (int k = 0; k <= static_cast<int>(std::ceil(movement.duration() / period)); ++k)
+    way.push_back(robot.body().position(robot.tip(), movement.at(k * period).position.data()));
+  return way;
+}
+
+// "27 of 27 digits leave the board, by up to 8.6 mm", and so on, where more than a share of them do.
+std::string losses(const Player& player, const std::vector<std::uint8_t>& lost, std::size_t readable,
+                   double tolerated) {
+  std::vector<std::string> words;
+  const auto tell = [&](std::int64_t count, std::size_t all, const std::string& what) {
+    if (static_cast<double>(count) > tolerated * static_cast<double>(all))
+      words.push_back(fmt::format("{} of {} {}", count, all, what));
+  };
+  const std::size_t n = player.off_board.size();
+  tell(
+      std::ranges::count(player.off_board, 1), n,
+      fmt::format("leave the board, by up to {:.1f} mm", 1000 * *std::ranges::max_element(player.off_plane)));
+  tell(std::ranges::count(player.beyond_limit, 1), n, "ask a joint for more than its limit");
+  tell(std::ranges::count(lost, 1), readable, "that could be read read otherwise or not at all");
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+// Of the digits that the judge takes for one: 1 where it does not take what is left for the same.
+std::vector<std::uint8_t> lost_digits(const Verdicts& before, const Verdicts& after) {
+  std::vector<std::uint8_t> lost(before.good.size());
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    lost[i] = before.good[i] && !(after.good[i] && after.label[i] == before.label[i]);
+  return lost;
+}
+
+// The movement along configurations, at the profile's pace or, where that asks a joint of one of the bodies
+// for too much, a tenth below the pace that does not.
+JointPath movement_along(const std::vector<double>& joints, const std::vector<float>& pen,
+                         const DynamicsTable& table, const std::vector<Player*>& players) {
+  std::vector<double> times = times_at_pace(pen, joints, table.pace, table.joint_pace);
+  JointPath movement(joints, times, table.smoothing);
+  if (!table.within_limits) return movement;
+  double factor = 1;
+  for (const Player* player : players)
+    factor =
+        std::min(factor, 0.9 * player->servos.fastest(movement, table.step * table.control_every).factor);
+  if (factor >= 1 || factor <= 0) return movement;  // standing still may be too much: no pace helps
+  for (double& time : times) time /= factor;
+  return JointPath(joints, times, table.smoothing);
+}
 
 void run(StageRun& stage) {
   const auto s = stage.settings_as<DynamicsSlice>();
@@ -117,9 +180,9 @@ void run(StageRun& stage) {
   for (Eigen::Index i = 0; i < digits.size(); i += s.dynamics.every) replayed.push_back(i);
   const std::size_t n = replayed.size();
   std::vector<std::int64_t> id(n);
-  std::vector<float> duration(n);
+  std::vector<float> duration(n), travel(n), travel_of_elites(n);
   std::vector<std::uint8_t> before_images(n * kImagePixels);
-  Drawn wanted_images(n);
+  Drawn wanted_images(n), by_elites(n);
   Player arm("arm", std::make_shared<const Body>(robot.body().model(), s.robot.joints, s.robot.rest()),
              s.robot, n);
   std::vector<Player*> players{&arm};
@@ -142,33 +205,54 @@ void run(StageRun& stage) {
       const float* genome = digits.solution.row(replayed[i]).data();
       const int length = digits.genes(replayed[i]);
       const Trace trace = trace_of(*model.executor(), genome, length);
-      const JointPath movement(trace.joints,
-                               times_at_pace(trace.pen, trace.joints, s.dynamics.pace, s.dynamics.joint_pace),
-                               s.dynamics.smoothing);
+      const std::vector<double> joints =
+          s.dynamics.postures == "elites" ? trace.joints : least_travel(robot, stack.stack.points(), trace);
+      const JointPath movement = movement_along(joints, trace.pen, s.dynamics, players);
+      travel[i] = static_cast<float>(joint_travel(joints, robot.dof()));
+      travel_of_elites[i] = static_cast<float>(joint_travel(trace.joints, robot.dof()));
       id[i] = digits.id[static_cast<std::size_t>(replayed[i])];
       duration[i] = static_cast<float>(movement.duration());
       model.draw(genome, length, before.data());
       image_to_bytes(before.data(), &before_images[i * kImagePixels]);
       for (Player* player : players) {
         const Replay played = player->servos.replay(robot.tip(), movement, servos);
-        player->set(i, played, player->servos.fastest(movement, servos.step * servos.control_every),
-                    robot.plane());
+        player->set(i, played, player->servos.fastest(movement, servos.step * servos.control_every), robot);
         draw_tip(played.tip, s.pencil.width(genome[2]), after);
         player->drawn.set(i, after, before);
         if (player != &arm) continue;
         draw_tip(played.wanted, s.pencil.width(genome[2]), after);
         wanted_images.set(i, after, before);
       }
+      const JointPath of_elites = movement_along(trace.joints, trace.pen, s.dynamics, {});
+      draw_tip(exact_way(robot, of_elites, servos), s.pencil.width(genome[2]), after);
+      by_elites.set(i, after, before);
     }
   });
+
+  const Dataset dataset = read_dataset(stage.input("dataset"));
+  const Judge judge(Hdf5Reader(stage.input("judge")), dataset, workers);
+  const Verdicts verdicts = judge.judge(n, before_images.data(), workers);
+  const auto readable = static_cast<std::size_t>(std::ranges::count(verdicts.good, 1));
 
   Hdf5Writer file(stage.output());
   stage.write_settings(file);
   file.write("id", id);
   file.write("duration", duration);
   file.write("image", {n, kImageSide, kImageSide}, before_images.data());
+  file.write("readable", verdicts.good);
   wanted_images.write(file, "wanted");
-  for (const Player* player : players) player->write(file);
+  file.write("wanted/travel", travel);
+  by_elites.write(file, "elites");
+  file.write("elites/travel", travel_of_elites);
+  for (const Player* player : players) {
+    player->write(file);
+    const std::vector<std::uint8_t> lost =
+        lost_digits(verdicts, judge.judge(n, player->drawn.image.data(), workers));
+    file.write(player->name + "/lost", lost);
+    if (const std::string told = losses(*player, lost, readable, s.dynamics.tolerated); !told.empty())
+      fmt::print(stderr, "{}, {}: {}\n", robot.name(),
+                 player == &arm ? "the drawing joints alone" : "the whole body", told);
+  }
   file.close();
 }
 

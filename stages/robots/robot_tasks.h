@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "pipeline/core/settings.h"
 
@@ -29,6 +30,9 @@ void describe(Fields& f, TuningTable& s) {
 // How the digits are replayed by servos.
 struct DynamicsTable {
   int every = 0;
+  std::string postures;
+  bool within_limits = false;
+  double tolerated = 0;
   double pace = 0, joint_pace = 0, smoothing = 0;
   double step = 0;
   int control_every = 0;
@@ -38,6 +42,16 @@ struct DynamicsTable {
 template <class Fields>
 void describe(Fields& f, DynamicsTable& s) {
   f.number("every", s.every, Range{1, 1e6}, "of the digits every so many are replayed");
+  f.choice("postures", s.postures, {"least_travel", "elites"},
+           "how the robot is held along a digit: least_travel, its joints turn as little as they can; "
+           "elites, as layer 1 "
+           "has each place");
+  f.flag("within_limits", s.within_limits,
+         "a digit whose servos would pass a limit of torque or speed is drawn more slowly, a tenth below the "
+         "limit");
+  f.number("tolerated", s.tolerated, Range{0, 1},
+           "share of the digits that may leave the board, pass a limit or read otherwise without a word on "
+           "the terminal");
   f.number("pace", s.pace, Range{1e-4, 100}, "of the pen, metres of the arm per second");
   f.number("joint_pace", s.joint_pace, Range{1e-3, 100},
            "the joints turn no faster between two way-points on the average, rad/s");

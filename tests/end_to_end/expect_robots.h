@@ -86,20 +86,38 @@ class RobotArtifacts {
     const Images before = images(file, "image"), drawn = images(transfer, "robot");
     const auto id = file.read<std::int64_t>("id").values, all = transfer.read<std::int64_t>("id").values;
     ASSERT_EQ(id.size(), before.size());
+    const double tolerance =
+        nlohmann::json::parse(file.text_attribute("settings")).at("robot").at("off_plane_tolerance");
     for (std::size_t i = 0; i < id.size(); ++i)
       EXPECT_EQ(before[i], drawn.at(static_cast<std::size_t>(std::ranges::find(all, id[i]) - all.begin())));
-    for (const std::string player : {"wanted", "arm", "whole"}) {
+    const auto travel = file.read<float>("wanted/travel").values,
+               of_elites = file.read<float>("elites/travel").values;
+    for (std::size_t i = 0; i < id.size(); ++i) EXPECT_LE(travel[i], of_elites[i]);
+    const auto readable = file.read<std::uint8_t>("readable").values;
+    for (const std::string player : {"elites", "wanted", "arm", "whole"}) {
       if (!file.has(player + "/image")) continue;
       const Images after = images(file, player + "/image");
       const auto absolute = file.read<float>(player + "/absolute").values;
       for (std::size_t i = 0; i < id.size(); ++i)
         EXPECT_NEAR(absolute[i], difference(before[i], after[i], 1), 1 / 255.) << player << i;
-      if (player == "wanted") continue;
+      if (player == "elites" || player == "wanted") continue;
+      const auto off_board = file.read<std::uint8_t>(player + "/off_board").values,
+                 beyond = file.read<std::uint8_t>(player + "/beyond_limit").values,
+                 lost = file.read<std::uint8_t>(player + "/lost").values;
+      const Array<float> torque = file.read<float>(player + "/torque"),
+                         speed = file.read<float>(player + "/speed");
+      const std::size_t joints = torque.shape.at(1);
       const auto rms = file.read<float>(player + "/rms").values,
                  most = file.read<float>(player + "/max").values,
                  off = file.read<float>(player + "/off_plane").values;
       for (std::size_t i = 0; i < id.size(); ++i) {
         EXPECT_LE(rms[i], most[i]);
+        EXPECT_LE(lost[i], readable[i]);
+        EXPECT_EQ(off_board[i], off[i] > tolerance);
+        float greatest = 0;
+        for (std::size_t k = i * joints; k < (i + 1) * joints; ++k)
+          greatest = std::max({greatest, torque.values[k], speed.values[k]});
+        EXPECT_EQ(beyond[i], greatest > 1);
         EXPECT_LT(off[i], 1) << "m of the robot";
       }
       if (player == "arm") {

@@ -47,13 +47,26 @@ class SyntheticRobots : public SyntheticLayers {
       };
       Hdf5Writer file(place(robot + "_dynamics", r));
       file.write("duration", around(8));
-      for (const std::string player : {"wanted", "arm", "whole"}) {
+      // All can be read; of every ten digits one is lost, two leave the board, none passes a limit.
+      const auto every = [&](int of_ten) {
+        std::vector<std::uint8_t> marked(rows);
+        for (std::size_t i = 0; i < rows; ++i) marked[i] = static_cast<int>(i % 10) < of_ten;
+        return marked;
+      };
+      file.write("readable", every(10));
+      for (const std::string player : {"elites", "wanted", "arm", "whole"}) {
         const Array<std::uint8_t> image{{rows, 28, 28}, std::vector<std::uint8_t>(784 * rows, 100)};
         if (player == "wanted") file.write("image", image);
         file.write(player + "/image", image);
         file.write(player + "/absolute", around(0.02f));
         file.write(player + "/squared", around(0.008f));
-        if (player == "wanted") continue;
+        if (player == "elites" || player == "wanted") {
+          file.write(player + "/travel", around(player == "wanted" ? 3 : 9));
+          continue;
+        }
+        file.write(player + "/lost", every(1));
+        file.write(player + "/off_board", every(2));
+        file.write(player + "/beyond_limit", every(0));
         file.write(player + "/rms", around(6e-5f));
         file.write(player + "/max", around(2e-4f));
         file.write(player + "/off_plane", around(3e-3f));

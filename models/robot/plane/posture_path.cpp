@@ -10,10 +10,11 @@
 namespace hbr {
 namespace {
 
-constexpr int kNear = 8;             // elites from which a place's inverse solutions start
-constexpr std::size_t kCarried = 8;  // candidates of the place before, those of the shortest ways
-constexpr double kSame = 0.01;       // rad: candidates as near to each other as this are one
-constexpr double kUnit = 1e-4;       // m: a pen so far off costs as much as a turn of 1 rad
+constexpr int kNear = 64;             // elites from which a place's inverse solutions start
+constexpr std::size_t kCarried = 32;  // candidates of the place before, those of the shortest ways
+constexpr double kSame = 0.01;        // rad: candidates as near to each other as this are one
+constexpr double kDamping = 1e-6;     // m^2/rad^2: of inverse kinematics, against singular postures
+constexpr double kUnit = 1e-4;        // m: a pen so far off costs as much as a turn of 1 rad
 
 struct Candidate {
   Eigen::VectorXd joints;
@@ -135,15 +136,25 @@ class PosturePath {
     return near;
   }
 
-  // Damped least squares from `start` on; the joints stay within their limits.
+  // Damped least squares from `joints` on; a joint that stands at its limit leaves the work to the others.
   Eigen::VectorXd inverse(Eigen::VectorXd joints, const Eigen::Vector3d& target) const {
     Eigen::Matrix3Xd slopes;
     for (int i = 0; i < 20; ++i) {
       const Eigen::Vector3d off = target - robot_.body().position(robot_.tip(), joints.data(), &slopes);
       if (off.norm() <= enough_ / 10) break;
-      const Eigen::Matrix3d square = slopes * slopes.transpose() + 1e-6 * Eigen::Matrix3d::Identity();
-      joints += slopes.transpose() * square.ldlt().solve(off);
-      joints = joints.cwiseMax(robot_.lower()).cwiseMin(robot_.upper());
+      Eigen::VectorXd step;
+      for (bool blocked = true; blocked;) {
+        const Eigen::Matrix3d square = slopes * slopes.transpose() + kDamping * Eigen::Matrix3d::Identity();
+        step = slopes.transpose() * square.ldlt().solve(off);
+        blocked = false;
+        for (Eigen::Index k = 0; k < joints.size(); ++k) {
+          const bool at_limit = step[k] > 0 ? joints[k] >= robot_.upper()[k] : joints[k] <= robot_.lower()[k];
+          if (step[k] == 0 || !at_limit) continue;
+          slopes.col(k).setZero();
+          blocked = true;
+        }
+      }
+      joints = (joints + step).cwiseMax(robot_.lower()).cwiseMin(robot_.upper());
     }
     return joints;
   }
