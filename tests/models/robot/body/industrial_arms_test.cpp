@@ -1,5 +1,5 @@
-// The industrial arm of our own: what its URDF's head says of it, and that its masses are those of its
-// shapes.
+// The industrial arms of our own: what their URDFs' heads say of them, and that their masses are those of
+// their shapes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +13,8 @@ namespace hbr {
 namespace {
 
 RobotModel six_joint_arm() { return load_urdf(HBR_SOURCE_DIR "/models/industrial/six_joint_arm.urdf"); }
+
+RobotModel seven_joint_arm() { return load_urdf(HBR_SOURCE_DIR "/models/industrial/seven_joint_arm.urdf"); }
 
 TEST(SixJointArm, AllSixJointsMoveThePen) {
   const RobotModel model = six_joint_arm();
@@ -46,8 +48,7 @@ TEST(SixJointArm, ReachesAMetre) {
 }
 
 // Each link's centre of mass lies among its shapes, and its inertia is that of a body no larger than they.
-TEST(SixJointArm, MassesFitTheShapes) {
-  const RobotModel model = six_joint_arm();
+void expect_masses_that_fit(const RobotModel& model) {
   const auto meshes = link_meshes(model, "", 1);
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     if (!model.links[i].inertial) continue;
@@ -67,6 +68,22 @@ TEST(SixJointArm, MassesFitTheShapes) {
       EXPECT_LT(in.inertia(k, k), in.mass * across / 10);
     }
   }
+}
+
+TEST(SixJointArm, MassesFitTheShapes) { expect_masses_that_fit(six_joint_arm()); }
+
+TEST(SevenJointArm, MassesFitTheShapes) { expect_masses_that_fit(seven_joint_arm()); }
+
+TEST(SevenJointArm, AllSevenJointsMoveThePen) {
+  const RobotModel model = seven_joint_arm();
+  const Body body(model, model.independent_joints());
+  ASSERT_EQ(body.dof(), 7);
+  EXPECT_EQ(body.moves(model.link("pen")), std::vector<bool>(7, true));
+  EXPECT_NEAR(body.mass(), 24.5, 1e-12);
+  const Eigen::VectorXd upright = Eigen::VectorXd::Zero(7);
+  EXPECT_LT((body.position(model.link("pen"), upright.data()) - Eigen::Vector3d(0.04, 0, 0.16 + 0.16 + 0.92))
+                .norm(),
+            1e-12);
 }
 
 }  // namespace
