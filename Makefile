@@ -117,7 +117,7 @@ help:
 	@echo '  make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
 	@echo '  make coverage        all tests, and BUILD/coverage/html: which lines they reach'
 	@echo '  make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors'
-	@echo '  make check-odr       compile and link everything without optimisation, then with the linker comparing definitions'
+	@echo '  make check-odr       compile and link everything without optimisation, the linker comparing definitions'
 	@echo '  make check-bytes     layers 1 to 3 by both compilers, for SAME: the same bytes?'
 	@echo '  make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap)'
 	@echo '  make test-cluster    what becomes of a run when its Slurm cluster fails: a real one, on loopback'
@@ -170,7 +170,7 @@ $(BUILD)/$(1)/build.ninja: | $(packages)
 	  { cat $(BUILD)/$(1).log >&2; exit 1; }
 	@printf '%s\n' $$(call quoted,$$(call kept,$(1))) >$(BUILD)/$(1)/settings.txt
 endef
-$(foreach preset,release sanitize sanitize-thread fuzz coverage plain odr,$(eval $(call configure,$(preset))))
+$(foreach preset,release sanitize sanitize-thread fuzz coverage odr,$(eval $(call configure,$(preset))))
 
 # compile(preset, target): Ninja tells its steps, and nothing where there are none.
 idle := ^ninja: (no work|Entering)|Re-checking globbed
@@ -304,8 +304,7 @@ check-targets: $(packages)
 # What an optimised program hides: a function that no file defines, a name that two files mean differently. LINKED:
 # only these programs.
 LINKED ?= programs tests
-check-odr: $(packages) $(BUILD)/plain/build.ninja $(BUILD)/odr/build.ninja
-	@$(call compile,plain,$(LINKED))
+check-odr: $(packages) $(BUILD)/odr/build.ninja
 	@$(call compile,odr,$(LINKED))
 
 # The README's commands and all tests on a bare machine of each Debian release, as root.

@@ -85,8 +85,11 @@ void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& tabl
   Pooled differences(table), errors(table);
   for (const Artifact& artifact : artifacts) {
     const Hdf5Reader file(artifact.path);
-    for (const char* difference : {"absolute", "squared"})  // in per cent, as in the paper
+    for (const char* difference : {"absolute", "squared"}) {  // in per cent, as in the paper
       differences.add(artifact, file, difference, difference, 100);
+      differences.add(artifact, file, std::string("evolved/") + difference,
+                      std::string("evolved_") + difference, 100);
+    }
     for (const char* error : {"end", "displacement"})
       errors.add(artifact, file, std::string("lines/") + error, std::string("line_") + error, 1);
     for (const char* error : {"end", "centre", "length"})

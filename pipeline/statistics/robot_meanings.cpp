@@ -115,9 +115,12 @@ std::optional<Meaning> meaning_of_robots(const std::vector<std::string>& parts) 
   if (parts[0] == "tuned") return of_tuned(parts);
   if (parts[0] == "dynamics") return of_dynamics(parts);
   if (parts.size() != 3) return {};
-  if (parts[0] == "transfer")
-    if (const Entry* entry = find_entry(kOfTransfer, parts[2]))
-      return make(*entry, "transfer to " + parts[1]);
+  if (parts[0] == "transfer") {
+    const std::string as_evolved = "evolved_";
+    const bool evolved = parts[2].starts_with(as_evolved);
+    if (const Entry* entry = find_entry(kOfTransfer, evolved ? parts[2].substr(as_evolved.size()) : parts[2]))
+      return make(*entry, "transfer to " + parts[1] + (evolved ? ", its layer 1 as evolved" : ""));
+  }
   if (parts[0] == "projected")
     if (const Entry* entry = find_entry(kOfProjected, parts[2])) return make(*entry, parts[1]);
   if (parts[0] == "plane" && parts[2] == "scale")

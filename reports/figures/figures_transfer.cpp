@@ -151,12 +151,13 @@ Figure transfer_figure(const Evidence& evidence) {
     };
     figure.panels.push_back(
         pairs_panel(robot + ": from the most to the least alike", at_even_ranks(pairs), robot));
-    boxes({"absolute", "squared"}, {.title = "Difference per pixel, arm against " + robot,
-                                    .unit = "% of white against black",
-                                    .figure = figure.id,
-                                    .from_zero = true,
-                                    .brackets = false,
-                                    .span = 3});
+    boxes({"absolute", "evolved_absolute", "squared", "evolved_squared"},
+          {.title = "Difference per pixel, arm against " + robot,
+           .unit = "% of white against black",
+           .figure = figure.id,
+           .from_zero = true,
+           .brackets = false,
+           .span = 3});
     figure.panels.push_back(pairs_panel(robot + ": the least alike", worst(pairs), robot));
     boxes({"line_end", "line_displacement", "arc_end", "arc_centre", "arc_length"},
           {.title = "Lines and arcs, arm against " + robot,
@@ -173,7 +174,9 @@ Figure transfer_figure(const Evidence& evidence) {
   figure.caption = fmt::format(
       "Layers 2 to 4 of the arm over the first layer of {}. Digits: at even ranks of the mean absolute "
       "difference per pixel, which stands below each pair, and those with the greatest; that difference, "
-      "absolute and squared, over all digits of all replications. Lines and arcs, executed by both from "
+      "absolute and squared, over all digits of all replications, by the robot’s layer 1 moved onto its "
+      "plane and "
+      "completed, and as it was evolved. Lines and arcs, executed by both from "
       "common starts: the distance between their end points, between what a line displaces the pen by, "
       "between the centres of an arc, and the difference of its lengths. Whiskers: within 1.5 "
       "interquartile ranges. {}, the absolute difference is, in the median [least; greatest without "

@@ -74,8 +74,10 @@ void plan_transfer(Plan& plan, const RobotSettings& robot) {
   for (int r = 0; r < p.replications.digits; ++r) {
     Inputs by_robot = over(plan, "robot", stack, &robot, r);
     append(by_robot, plane(&robot));
-    Inputs both = plan.inputs("arm", stack, r);
+    Inputs both = plan.inputs("arm", stack, r), evolved = plan.inputs("evolved", stack, r);
+    evolved.front().second = numbered(robot.name + "_layer1", r);
     append(both, by_robot);
+    append(both, evolved);
     both.emplace_back("digits", numbered("digit_verdicts", r));
     plan.add("robot_transfer", robot.name + "_transfer", r,
              with(plan.run(r),

@@ -1,5 +1,6 @@
 // Transfer (paper, section 5.2): every line, arc and digit executed by the arm and by another robot through
-// the same layers 2 to 4.
+// the same layers 2 to 4; the digits also over the robot's layer 1 as it was evolved, before it was moved
+// onto the plane and completed.
 #include "models/judge/surest.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
@@ -23,6 +24,25 @@ void describe(Fields& f, TransferSlice& s) {
   f.table("transfer", s.transfer, "lines and arcs");
   f.table("pencil", s.pencil, "of the digits");
 }
+
+// Digits drawn by a robot, and how they differ from the arm's.
+struct Drawn {
+  std::vector<std::uint8_t> images;  // [n x 28 x 28]
+  std::vector<float> absolute, squared;
+
+  explicit Drawn(std::size_t n) : images(n * hbr::kImagePixels), absolute(n), squared(n) {}
+  void set(std::size_t i, const Eigen::VectorXf& arm, const Eigen::VectorXf& robot) {
+    const hbr::ImageDifference difference = hbr::image_difference(arm, robot);
+    absolute[i] = difference.absolute;
+    squared[i] = difference.squared;
+    hbr::image_to_bytes(robot.data(), &images[i * hbr::kImagePixels]);
+  }
+  void write(hbr::Hdf5Writer& file, const std::string& group) const {
+    file.write(group + "robot", {absolute.size(), hbr::kImageSide, hbr::kImageSide}, images.data());
+    file.write(group + "absolute", absolute);
+    file.write(group + "squared", squared);
+  }
+};
 
 // Of all lines and arcs that the repertoires hold.
 void write_layer_errors(hbr::Hdf5Writer& file, const TransferSlice& s, hbr::Seed seed,
@@ -54,13 +74,14 @@ void write_layer_errors(hbr::Hdf5Writer& file, const TransferSlice& s, hbr::Seed
 
 void run(hbr::StageRun& stage) {
   const auto s = stage.settings_as<TransferSlice>();
-  const hbr::StackOnBody arm = hbr::read_stack(stage, "arm"), robot = hbr::read_stack(stage, "robot");
-  const hbr::LayerModel &by_arm = arm.top(), &by_robot = robot.top();
+  const hbr::StackOnBody arm = hbr::read_stack(stage, "arm"), robot = hbr::read_stack(stage, "robot"),
+                         evolved = hbr::read_stack(stage, "evolved");
+  const hbr::LayerModel &by_arm = arm.top(), &by_robot = robot.top(), &by_evolved = evolved.top();
   const hbr::Elites& digits = arm.elites.back();
 
   const auto n = static_cast<std::size_t>(digits.size());
-  std::vector<std::uint8_t> arm_images(n * hbr::kImagePixels), robot_images(n * hbr::kImagePixels);
-  std::vector<float> absolute(n), squared(n);
+  std::vector<std::uint8_t> arm_images(n * hbr::kImagePixels);
+  Drawn completed(n), as_evolved(n);
   hbr::Workers workers(stage.threads());
   workers.for_ranges(n, 16, [&](std::size_t begin, std::size_t end) {
     Eigen::VectorXf a(hbr::kImagePixels), b(hbr::kImagePixels);
@@ -68,12 +89,11 @@ void run(hbr::StageRun& stage) {
       const float* genome = digits.solution.row(i).data();
       const int length = digits.genes(i);
       by_arm.draw(genome, length, a.data());
-      by_robot.draw(genome, length, b.data());
-      const hbr::ImageDifference difference = hbr::image_difference(a, b);
-      absolute[i] = difference.absolute;
-      squared[i] = difference.squared;
       hbr::image_to_bytes(a.data(), &arm_images[i * hbr::kImagePixels]);
-      hbr::image_to_bytes(b.data(), &robot_images[i * hbr::kImagePixels]);
+      by_robot.draw(genome, length, b.data());
+      completed.set(i, a, b);
+      by_evolved.draw(genome, length, b.data());
+      as_evolved.set(i, a, b);
     }
   });
 
@@ -85,15 +105,13 @@ void run(hbr::StageRun& stage) {
       trace_of(*by_robot.executor(), digits.solution.row(shown).data(), digits.genes(shown));
   const auto points = static_cast<std::size_t>(trace.points());
 
-  const std::vector<std::size_t> images{n, hbr::kImageSide, hbr::kImageSide};
   hbr::Hdf5Writer file(stage.output());
   stage.write_settings(file);
   file.attribute("framing", s.pencil.framing);
   file.write("id", digits.id);
-  file.write("arm", images, arm_images.data());
-  file.write("robot", images, robot_images.data());
-  file.write("absolute", absolute);
-  file.write("squared", squared);
+  file.write("arm", {n, hbr::kImageSide, hbr::kImageSide}, arm_images.data());
+  completed.write(file, "");
+  as_evolved.write(file, "evolved/");
   write_layer_errors(file, s, seed_of(stage, s), arm, robot, workers);
   file.write("picture/pen", {points, 2}, trace.pen.data());
   file.write("picture/joints", {points, static_cast<std::size_t>(robot.body->dof())},

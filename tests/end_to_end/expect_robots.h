@@ -72,11 +72,16 @@ class RobotArtifacts {
     EXPECT_EQ(arm, images(of("layer4"), "image"));
     EXPECT_NE(arm, drawn);
     EXPECT_EQ(file.read<std::int64_t>("id").values, of("layer4").read<std::int64_t>("id").values);
-    const auto absolute = file.read<float>("absolute").values, squared = file.read<float>("squared").values;
-    ASSERT_EQ(absolute.size(), drawn.size());
-    for (std::size_t i = 0; i < absolute.size(); ++i) {
-      EXPECT_NEAR(absolute[i], difference(arm[i], drawn[i], 1), 1 / 255.) << i;
-      EXPECT_NEAR(squared[i], difference(arm[i], drawn[i], 2), 2 / 255.) << i;
+    EXPECT_NE(drawn, images(file, "evolved/robot"));
+    for (const std::string form : {"", "evolved/"}) {
+      const Images robots = images(file, form + "robot");
+      const auto absolute = file.read<float>(form + "absolute").values,
+                 squared = file.read<float>(form + "squared").values;
+      ASSERT_EQ(absolute.size(), robots.size());
+      for (std::size_t i = 0; i < absolute.size(); ++i) {
+        EXPECT_NEAR(absolute[i], difference(arm[i], robots[i], 1), 1 / 255.) << i;
+        EXPECT_NEAR(squared[i], difference(arm[i], robots[i], 2), 2 / 255.) << i;
+      }
     }
   }
 

@@ -24,6 +24,10 @@ class SyntheticRobots : public SyntheticLayers {
       Hdf5Writer file(place(robot + "_transfer", r));
       file.write("absolute", absolute);
       file.write("squared", squared);
+      for (std::vector<float>* worse : {&absolute, &squared})
+        for (float& value : *worse) value *= 1.5f;
+      file.write("evolved/absolute", absolute);
+      file.write("evolved/squared", squared);
       for (const auto& [name, middle] :
            {std::pair{"lines/end", 0.006f}, std::pair{"lines/displacement", 0.008f},
             std::pair{"arcs/end", 0.02f}, std::pair{"arcs/centre", 0.03f}, std::pair{"arcs/length", 0.01f}}) {

@@ -49,6 +49,7 @@ TEST(CollectRobots, TransferWithoutItsOutliers) {
   EXPECT_DOUBLE_EQ(number("absolute_outliers"), 100 * 4.0 / 200);
   EXPECT_NEAR(number("absolute_median"), 0.92, 0.1);
   EXPECT_LT(number("absolute_high"), 2);
+  EXPECT_NEAR(number("evolved_absolute_median"), 1.5 * number("absolute_median"), 1e-5);
   EXPECT_NEAR(number("squared_high"), number("absolute_high") / 3, 1e-6);
   EXPECT_EQ(found["quantities"]["transfer.nao.absolute"]["unit"], "%");
   EXPECT_FLOAT_EQ(found["boxes"]["transfer.nao.absolute"]["max"].get<float>(), 8.0f);
@@ -63,7 +64,7 @@ TEST(CollectRobots, TransferCountsOutliersAboveOnly) {
   TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "t.h5";
   Hdf5Writer file(path);
-  for (const char* name : {"absolute", "squared"})
+  for (const char* name : {"absolute", "squared", "evolved/absolute", "evolved/squared"})
     file.write(name, std::vector<float>{0, 1, 1.01f, 1.02f, 1.03f, 1.04f, 1.05f, 5});
   for (const char* name : {"lines/end", "lines/displacement", "arcs/end", "arcs/centre", "arcs/length"})
     file.write(name, std::vector<float>{1});
