@@ -12,6 +12,7 @@
 #include "pipeline/artifact/progress.h"
 #include "pipeline/core/check.h"
 #include "reports/kept/lineage.h"
+#include "reports/kept/scaling.h"
 #include "reports/plot/colour.h"
 #include "reports/plot/external.h"
 #include "reports/plot/figure.h"
@@ -37,8 +38,7 @@ struct Facts {
   std::map<std::string, std::set<std::string>> words;  // "version", "compiler", ... -> what occurs
 };
 
-Facts read_facts(const fs::path& out) {
-  const std::map<std::string, Manifest> manifests = lineage(out, "page");
+Facts read_facts(const std::map<std::string, Manifest>& manifests) {
   Facts facts;
   for (const auto& [output, manifest] : manifests) {
     const Slice& slice = manifest.slice;
@@ -74,6 +74,33 @@ std::string graph_html(const Facts& facts) {
          "</div>\n";
 }
 
+// What more processors would make of it.
+std::string scaling_html(const std::map<std::string, Manifest>& manifests) {
+  const std::vector<Job> jobs = jobs_of(manifests);
+  const double alone = makespan(jobs, 1);
+  std::vector<std::vector<std::string>> rows;
+  for (const int processors : {1, 2, 4, 8, 16, 64}) {
+    const double seconds = makespan(jobs, processors);
+    rows.push_back({fmt::format("{}", processors), duration_text(seconds),
+                    fmt::format("{:.0f} %", seconds > 0 ? 100 * alone / (processors * seconds) : 100)});
+  }
+  double longest = 0;
+  std::string chain;
+  for (const std::size_t job : critical_path(jobs)) {
+    longest += jobs[job].seconds;
+    chain += (chain.empty() ? "<code>" : ", <code>") + escape_html(jobs[job].stage) + "</code>";
+  }
+  return html_table(
+             "This run on more processors, by a model: each takes the next stage that can begin, and works "
+             "on it "
+             "alone for as long as that stage’s processor time",
+             {"Processors", "Time", "At work"}, rows) +
+         fmt::format(
+             "<p>No number of processors is faster than {}, the longest chain of stages that wait for each "
+             "other: {}.</p>\n",
+             duration_text(longest), chain);
+}
+
 // Then there is nothing to write, which a folder that can only be read would refuse.
 bool is_published(const fs::path& page, const std::string& html, const fs::path& report) {
   try {
@@ -88,7 +115,8 @@ bool is_published(const fs::path& page, const std::string& html, const fs::path&
 }  // namespace
 
 std::string provenance_html(const fs::path& out) {
-  const Facts facts = read_facts(out);
+  const std::map<std::string, Manifest> manifests = lineage(out, "page");
+  const Facts facts = read_facts(manifests);
   std::string html = "<dl>\n";
   std::vector<std::vector<std::string>> rows;
   for (const auto& [word, texts] : facts.words) {
@@ -114,7 +142,7 @@ std::string provenance_html(const fs::path& out) {
                      duration_text(total), duration_text(total_cpu)) +
          html_table("Time and memory of each stage, over its artifacts",
                     {"Stage", "Artifacts", "Time", "Processor time", "Most memory"}, rows) +
-         graph_html(facts);
+         scaling_html(manifests) + graph_html(facts);
 }
 
 void publish_report(const fs::path& page, const fs::path& out, const fs::path& report) {
