@@ -11,6 +11,13 @@ using net::LayerIndex;
 
 constexpr Index kPlace = 7 * 7;  // pixels of the maps between convolutions and dense layers
 
+// What the files say of their inputs and outputs.
+constexpr const char *kImage =
+                         "images n x 1 x 28 x 28 (image, channel, row from the top, column), float32, "
+                         "from 0 (black, no ink) to 1 (white, ink)",
+                     *kPosition = "places n x d in the latent space, float32, each coordinate from -1 to 1",
+                     *kDecoded = "reconstructions n x 1 x 28 x 28 of the images, float32, from 0 to 1";
+
 // ONNX flattens maps channel by channel, our network pixel by pixel.
 Index flat_in_onnx(Index i) { return i % net::kMaps * kPlace + i / net::kMaps; }
 
@@ -19,7 +26,7 @@ class Exporter {
   explicit Exporter(const net::Network& network) : network_(network) {}
 
   void encoder() {
-    graph_.input("image", {1, net::kSide, net::kSide});
+    graph_.input("image", {1, net::kSide, net::kSide}, kImage);
     convolution(net::kConv1, "image");
     pool(rectified());
     convolution(net::kConv2, last_);
@@ -29,7 +36,7 @@ class Exporter {
     dense(net::kDense2, rectified());
     dense(net::kLatent, rectified());
     add("Tanh", {last_}, "position");
-    graph_.output("position", {network_.layout.latent_size});
+    graph_.output("position", {network_.layout.latent_size}, kPosition);
   }
 
   void decoder() {
@@ -45,15 +52,21 @@ class Exporter {
     unpool(rectified());
     convolution(net::kOutput, last_);
     add("Sigmoid", {last_}, "decoded");
-    graph_.output("decoded", {1, net::kSide, net::kSide});
+    graph_.output("decoded", {1, net::kSide, net::kSide}, kDecoded);
   }
 
   void decoder_alone() {
-    graph_.input("position", {network_.layout.latent_size});
+    graph_.input("position", {network_.layout.latent_size}, kPosition);
     decoder();
   }
 
-  std::string bytes() const { return graph_.bytes(); }
+  std::string bytes(const std::string& description) {
+    graph_.remark("description", description);
+    graph_.remark("image", kImage);
+    graph_.remark("position", kPosition);
+    graph_.remark("decoded", kDecoded);
+    return graph_.bytes();
+  }
 
  private:
   void add(const std::string& operation, const std::vector<std::string>& inputs, const std::string& output,
@@ -120,20 +133,20 @@ class Exporter {
 std::string onnx_encoder(const net::Network& network) {
   Exporter exporter(network);
   exporter.encoder();
-  return exporter.bytes();
+  return exporter.bytes("encoder of an autoencoder: image to position");
 }
 
 std::string onnx_decoder(const net::Network& network) {
   Exporter exporter(network);
   exporter.decoder_alone();
-  return exporter.bytes();
+  return exporter.bytes("decoder of an autoencoder: position to decoded");
 }
 
 std::string onnx_whole(const net::Network& network) {
   Exporter exporter(network);
   exporter.encoder();
   exporter.decoder();
-  return exporter.bytes();
+  return exporter.bytes("autoencoder: image to position and decoded");
 }
 
 }  // namespace hbr

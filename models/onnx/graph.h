@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "models/onnx/message.h"
+#include "models/onnx/file/message.h"
 
 namespace hbr {
 
@@ -19,9 +19,14 @@ struct OnnxAttribute {
 
 class OnnxGraph {
  public:
-  // Shapes without the batch's dimension.
-  void input(const std::string& name, const std::vector<std::int64_t>& shape);
-  void output(const std::string& name, const std::vector<std::int64_t>& shape);
+  // Shapes without the batch's dimension. `meaning` is for people.
+  void input(const std::string& name, const std::vector<std::int64_t>& shape,
+             const std::string& meaning = "");
+  void output(const std::string& name, const std::vector<std::int64_t>& shape,
+              const std::string& meaning = "");
+
+  // What the file says of itself (metadata_props).
+  void remark(const std::string& key, const std::string& value);
 
   // Constants that nodes take as inputs; values are row-major.
   void weights(const std::string& name, const std::vector<std::int64_t>& shape,
@@ -37,7 +42,7 @@ class OnnxGraph {
   std::string bytes() const;
 
  private:
-  Message graph_;
+  Message graph_, remarks_;
 };
 
 }  // namespace hbr

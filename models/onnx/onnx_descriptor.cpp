@@ -1,141 +1,117 @@
 #include "models/onnx/onnx_descriptor.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <opencv2/core/utils/logger.hpp>
-#include <opencv2/dnn.hpp>
+#include <optional>
 #include <vector>
 
+#include "models/onnx/file/shown.h"
+#include "models/onnx/file/weights.h"
+#include "models/onnx/input_shape.h"
+#include "models/onnx/opencv_network.h"
+#include "models/onnx/tensors.h"
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
-#include "pipeline/process/own_process.h"
-#include "pipeline/qd/dimension.h"
 
 namespace hbr {
 namespace {
 
-cv::dnn::Net read_net(const std::string& model, const std::string& where) {
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // the exception says it all
-  cv::setNumThreads(1);
-  try {
-    cv::dnn::Net net = cv::dnn::readNetFromONNX(model.data(), model.size());
-    net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-    net.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
-    return net;
-  } catch (const cv::Exception& error) {
-    throw InputError("{}: not an ONNX network that OpenCV {} reads: {}", where, CV_VERSION,
-                     error.err.substr(0, error.err.find('\n')));
-  }
-}
-
-std::vector<cv::Mat> run(cv::dnn::Net& net, const std::vector<int>& shape, const float* image,
-                         const std::vector<std::string>& layers) {
-  net.setInput(cv::Mat(shape, CV_32F, const_cast<float*>(image)));
-  std::vector<cv::Mat> values;
-  net.forward(values, layers);
-  return values;
-}
-
-// How many numbers a layer makes of an image, whether nothing follows it, and whether they are floats.
-struct Width {
-  std::string layer;
-  std::size_t numbers;
-  bool output, floats;
+// Numbers at black and at white, between which pixels 0 to 1 lie.
+struct PixelRange {
+  explicit PixelRange(const std::vector<double>& range)
+      : black(static_cast<float>(range[0])), white(static_cast<float>(range[1])) {}
+  float from_pixel(float pixel) const { return black + (white - black) * pixel; }
+  float to_pixel(float number) const { return (number - black) / (white - black); }
+  float black, white;
 };
 
-// Of all layers but constants, in the order of execution, given a black image of the first shape that fits.
-std::vector<Width> widths(const std::string& model, const std::string& where, std::vector<int>& shape) {
-  const std::vector<float> black(kImagePixels, 0.f);
-  std::string complaint;
-  for (const std::vector<int>& candidate :
-       {std::vector<int>{1, kImagePixels}, std::vector<int>{1, 1, 28, 28}, std::vector<int>{1, 28, 28, 1}}) {
-    cv::dnn::Net net = read_net(model, where);
-    std::vector<std::string> layers = net.getLayerNames();
-    std::erase_if(
-        layers, [&](const std::string& name) { return net.getLayer(net.getLayerId(name))->type == "Const"; });
-    const std::vector<std::string> ends = net.getUnconnectedOutLayersNames();
-    try {
-      const std::vector<cv::Mat> values = run(net, candidate, black.data(), layers);
-      std::vector<Width> result;
-      for (std::size_t i = 0; i < layers.size(); ++i)
-        result.push_back({layers[i], values[i].total(), std::ranges::count(ends, layers[i]) > 0,
-                          values[i].type() == CV_32F && values[i].isContinuous()});
-      shape = candidate;
-      return result;
-    } catch (const cv::Exception& error) {
-      complaint = error.err.substr(0, error.err.find('\n'));
-    }
-  }
-  throw InputError("{}: expected a network that takes images n x 784 or n x 1 x 28 x 28; OpenCV says: {}",
-                   where, complaint);
+// An image that shows a network's numbers better than a black one.
+std::vector<float> first_image(const PixelRange& range) {
+  std::vector<float> image(kImagePixels);
+  for (int i = 0; i < kImagePixels; ++i)
+    image[static_cast<std::size_t>(i)] = range.from_pixel(static_cast<float>(i * 37 % 256) / 255.f);
+  return image;
 }
 
-// OpenCV crashes on some files, damaged ones and good ones (whose weights are elsewhere): a first look at the
-// network is not to be trusted with this process.
-void try_apart(const std::string& model, const std::string& where) {
-  const OwnProcess apart{(std::size_t{1} << 30) + 16 * model.size(), 60};
-  apart.run(where, [&] {
-    std::vector<int> shape;
-    try {
-      widths(model, where, shape);
-    } catch (const InputError& error) {
-      throw InputError("{}", std::string(error.what()).substr(where.size() + 2));  // which run() adds again
-    }
-    return std::string();
-  });
+template <class Work>
+auto with_name(const std::string& where, Work&& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError("{}: {}", where, error.what());
+  }
+}
+
+OnnxSettings settings_of(const Hdf5Reader& file) {
+  if (!file.has_attribute("onnx")) return {};
+  const std::string where = file.path().string();
+  return settings_from_json<OnnxSettings>(parse_json(file.text_attribute("onnx"), where + ": onnx"), where);
 }
 
 }  // namespace
 
-// Which layers to ask, and networks to ask: one for each thread, since a cv::dnn::Net serves one at a time.
+// What to run and networks to run: one for each thread, since each serves one at a time.
 struct OnnxDescriptor::Network {
-  Network(std::string model_, const std::string& where_) : model(std::move(model_)), where(where_) {
-    try_apart(model, where);
-    const std::vector<Width> all = widths(model, where, shape);
-    std::vector<Width> images, places;
-    std::vector<std::size_t> sizes;
-    for (const Width& w : all) {
-      if (!w.output) continue;
-      sizes.push_back(w.numbers);
-      if (w.numbers == kImagePixels) images.push_back(w);
-      if (w.numbers <= kMaxDescriptorSize) places.push_back(w);
+  Network(std::string_view content, const std::string& where_, const OnnxSettings& told)
+      : where(where_), settings(told) {
+    const auto named = [&](auto&& work) { return with_name(where, work); };
+    if (const std::string fault = fault_of(settings); !fault.empty())
+      throw InputError("{}: {}", where, fault);
+    model = named([&] { return plain_weights(content, where); });
+    const OnnxModel parsed = named([&] { return parse_onnx(model); });
+    const auto shapes = named([&] { return input_shapes(parsed, settings.input_shape); });
+    const std::vector<std::string> tensors = named([&] { return tensors_to_try(parsed, settings); });
+    const std::vector<float> image = first_image(PixelRange(settings.input_range));
+    std::string complaint;
+    std::optional<std::size_t> numbers;  // a hash of what comes out
+    for (const std::vector<int>& shape : shapes) {
+      Trial trial;
+      try {
+        trial = try_network(parsed, tensors, shape, image, where);
+      } catch (const InputError& error) {
+        if (complaint.empty()) complaint = error.what();
+        continue;
+      }
+      const ChosenTensors chosen = named([&] { return choose_tensors(parsed, trial.shapes, told); });
+      const Trial last = try_network(parsed, {chosen.position, chosen.reconstruction}, shape, image, where);
+      if (!numbers) {
+        numbers = last.hash;
+        dimension = static_cast<Eigen::Index>(last.shapes.at(chosen.position).numbers());
+        settings.position = chosen.position;
+        settings.reconstruction = chosen.reconstruction;
+        settings.input_shape = shape;
+      } else if (*numbers != last.hash) {
+        throw InputError(
+            "{}: its input takes images of the shapes {} and {}, with different results; set "
+            "input_shape to the one that is meant",
+            where, TensorShape{settings.input_shape}.text(), TensorShape{shape}.text());
+      }
     }
-    if (images.size() != 1)
-      throw InputError("{}: expected one output of 784 numbers an image, found outputs of {}", where,
-                       fmt::join(sizes, ", "));
-    const Width narrowest = *std::ranges::min_element(all.rbegin(), all.rend(), {}, &Width::numbers);
-    if (narrowest.numbers > kMaxDescriptorSize)
-      throw InputError("{}: its narrowest layer, {}, has {} numbers an image; expected 1 to {} as position",
-                       where, narrowest.layer, narrowest.numbers, kMaxDescriptorSize);
-    const Width& place = places.size() == 1 ? places[0] : narrowest;
-    if (!place.floats || !images[0].floats)
-      throw InputError("{}: expected a network that gives numbers of type float32", where);
-    position = place.layer;
-    decoded = images[0].layer;
-    dimension = static_cast<Eigen::Index>(place.numbers);
+    if (!numbers) throw InputError("{}", complaint);
+    part = part_of(parsed, {settings.position, settings.reconstruction},
+                   {settings.input_shape.begin(), settings.input_shape.end()});
   }
 
-  std::unique_ptr<cv::dnn::Net> borrow() {
+  std::unique_ptr<OpenCvNetwork> borrow() {
     const std::lock_guard lock(mutex);
-    if (idle.empty()) return std::make_unique<cv::dnn::Net>(read_net(model, where));
+    if (idle.empty()) return std::make_unique<OpenCvNetwork>(part, settings.input_shape);
     auto net = std::move(idle.back());
     idle.pop_back();
     return net;
   }
-  void give_back(std::unique_ptr<cv::dnn::Net> net) {
+  void give_back(std::unique_ptr<OpenCvNetwork> net) {
     const std::lock_guard lock(mutex);
     idle.push_back(std::move(net));
   }
 
-  std::string model, where;
-  std::vector<int> shape;  // of an image
-  std::string position, decoded;
+  std::string where;
+  OnnxSettings settings;    // with all that was found out
+  std::string model, part;  // ONNX files: all of it, and what is run
   Eigen::Index dimension = 0;
   std::mutex mutex;
-  std::vector<std::unique_ptr<cv::dnn::Net>> idle;
+  std::vector<std::unique_ptr<OpenCvNetwork>> idle;
 };
 
 OnnxDescriptor::OnnxDescriptor(std::unique_ptr<Network> network)
@@ -143,44 +119,62 @@ OnnxDescriptor::OnnxDescriptor(std::unique_ptr<Network> network)
       network_(std::move(network)),
       placement_{Eigen::VectorXf::Ones(dimension()), Eigen::VectorXf::Zero(dimension())} {}
 
-OnnxDescriptor::OnnxDescriptor(std::string model, const std::string& where)
-    : OnnxDescriptor(std::make_unique<Network>(std::move(model), where)) {}
+OnnxDescriptor::OnnxDescriptor(std::string_view model, const std::string& where, const OnnxSettings& settings)
+    : OnnxDescriptor(std::make_unique<Network>(model, where, settings)) {}
 
 OnnxDescriptor::OnnxDescriptor(const Hdf5Reader& file)
-    : OnnxDescriptor(
+    : OnnxDescriptor(std::make_unique<Network>(
           [&] {
             const auto bytes = file.read<std::uint8_t>("onnx/model").values;
             return std::string(bytes.begin(), bytes.end());
           }(),
-          file.path().string()) {
+          file.path().string(), settings_of(file))) {
   placement_ = read_placement(file, dimension());
 }
 
 OnnxDescriptor::~OnnxDescriptor() = default;
 
+const OnnxSettings& OnnxDescriptor::settings() const { return network_->settings; }
+
 void OnnxDescriptor::place(const Rows& raw) {
+  constexpr float kRounding = 1e-6f;  // of float32, relative
+  for (Eigen::Index d = 0; d < raw.cols(); ++d) {
+    const float low = raw.col(d).minCoeff(), high = raw.col(d).maxCoeff();
+    if (high - low <= kRounding * std::max(std::abs(low), std::abs(high)))
+      throw InputError(
+          "{}: coordinate {} (of {}) of the position '{}' is {} for all {} training images: they "
+          "differ by {}, no more than float32 rounds; expected positions that tell images apart",
+          network_->where, d + 1, raw.cols(), shown(settings().position), low, raw.rows(), high - low);
+  }
   if (raw.cwiseAbs().maxCoeff() > 1) placement_ = fill_unit_box(raw);
 }
 
 void OnnxDescriptor::reconstruct(Eigen::Index n, const float* images, float* position, float* decoded) const {
   const Eigen::Index dim = dimension();
+  const PixelRange in(settings().input_range), out(settings().reconstruction_range);
   auto net = network_->borrow();
+  std::vector<float> input(kImagePixels);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::vector<cv::Mat> values =
-        run(*net, network_->shape, images + i * kImagePixels, {network_->position, network_->decoded});
+    std::transform(images + i * kImagePixels, images + (i + 1) * kImagePixels, input.begin(),
+                   [&](float pixel) { return in.from_pixel(pixel); });
+    const std::vector<cv::Mat> values = with_name(network_->where, [&] {
+      return net->run(input.data(), {settings().position, settings().reconstruction});
+    });
     const Eigen::Map<const Eigen::VectorXf> place(values[0].ptr<float>(), dim),
         image(values[1].ptr<float>(), kImagePixels);
     if (!place.allFinite() || !image.allFinite())
       throw InputError("{}: what the network makes of an image is not a finite number", network_->where);
     for (Eigen::Index d = 0; d < dim; ++d)
       position[i * dim + d] = place[d] * placement_.scale[d] + placement_.offset[d];
-    std::copy_n(image.data(), kImagePixels, decoded + i * kImagePixels);
+    std::transform(image.begin(), image.end(), decoded + i * kImagePixels,
+                   [&](float number) { return out.to_pixel(number); });
   }
   network_->give_back(std::move(net));
 }
 
 void OnnxDescriptor::write(Hdf5Writer& file) const {
   file.attribute("kind", std::string("onnx"));
+  file.attribute("onnx", settings_to_json(settings()).dump());
   file.write("onnx/model", {network_->model.size()},
              reinterpret_cast<const std::uint8_t*>(network_->model.data()));
   write_placement(file, placement_);

@@ -1,6 +1,7 @@
 // The dataset, and what is learned from it: the judge and the descriptors.
 #include <cstdlib>
 
+#include "models/onnx/file/weights.h"
 #include "stages/plan/plan.h"
 
 namespace hbr {
@@ -51,7 +52,10 @@ void plan_learned(Plan& plan) {
   }
   DescriptorSlice slice{p.descriptor, p.autoencoder.latent_size};
   std::vector<std::string> sources;
-  if (slice.kind == "onnx") sources.push_back(slice.file);
+  if (slice.kind == "onnx") {
+    sources.push_back(slice.file);
+    for (const std::filesystem::path& file : weight_files(slice.file)) sources.push_back(file.string());
+  }
   plan.add("descriptor", "descriptor", -1, settings_to_json(slice), {{"dataset", "dataset.h5"}}, sources);
 }
 

@@ -42,6 +42,8 @@ void Plan::check() const {
                     profile_.replications.digits, profile_.replications.lines));
   if (profile_.descriptor.kind == "onnx" && profile_.descriptor.file.empty())
     fail("descriptor: kind = 'onnx' with file = ''; expected the path of an ONNX network");
+  if (const std::string fault = fault_of(profile_.descriptor.onnx); !fault.empty())
+    fail(fmt::format("descriptor.onnx.{}", fault));
   for (const LayerRow& row : rows_)
     if (row.settings.contains("pencil") &&
         row.settings["pencil"]["thinnest_px"] > row.settings["pencil"]["thickest_px"])

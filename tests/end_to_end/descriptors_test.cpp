@@ -3,6 +3,7 @@
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "tests/end_to_end/tiny_experiment.h"
+#include "tests/models/onnx/other_networks.h"
 
 namespace hbr {
 namespace {
@@ -69,6 +70,41 @@ TEST_F(Descriptors, AreChosenByTheProfileAlone) {
   EXPECT_THAT(wrong.text, HasSubstr("network.onnx: expected a network that takes images n x 784"));
   fs::remove(file);
   EXPECT_THAT(experiment_.make_of("mine.toml", "imported", 1).text, HasSubstr("network.onnx"));
+}
+
+// As exported with its weights in a file beside it: made again where they change, refused where they are
+// gone.
+TEST_F(Descriptors, OfNetworksWithWeightsBesideThem) {
+  OtherAutoencoder network(2);
+  std::string beside;
+  network.written_by([&](const std::string& name, const std::vector<int>& dims, const Rows& m) {
+    const std::string data = other::in_file("weights.bin", std::to_string(beside.size()), "");
+    beside += other::raw(numbers_of(m));
+    return other::tensor(name, other::kFloat, dims, data);
+  });
+  const std::string content = network.content({-1, 784});
+  std::ofstream(experiment_.out("network.onnx"), std::ios::binary) << content;
+  std::ofstream(experiment_.out("weights.bin"), std::ios::binary) << beside;
+  const std::string table = "[descriptor]\nkind = \"onnx\"\nfile = \"" +
+                            experiment_.out("network.onnx").string() +
+                            "\"\n[descriptor.onnx]\ninput_range = [0, 255]\n";
+  write("mine.toml", "robots = []\n", table);
+  const auto make = [&] { return experiment_.make_of("mine.toml", "out", 1, "descriptor"); };
+  const ShellResult outcome = make();
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, HasSubstr("position 'z', reconstruction 'recon', images of 1 x 784"));
+  EXPECT_THAT(outcome.text, HasSubstr("odd: test images are reconstructed worse"));
+  EXPECT_EQ(shape("out/descriptor.h5", "latent/position")[1], 2u);
+  EXPECT_EQ(made(make()), "");
+  beside[0] ^= 1;
+  std::ofstream(experiment_.out("weights.bin"), std::ios::binary) << beside;
+  EXPECT_THAT(made(make()), HasSubstr("descriptor"));
+  fs::remove(experiment_.out("weights.bin"));
+  const ShellResult missing = make();
+  EXPECT_NE(missing.code, 0);
+  EXPECT_THAT(missing.text, HasSubstr(experiment_.out("weights.bin").string()));
+  write("mine.toml", "robots = []\n", table + "reconstruction_range = [1, 1]\n");
+  EXPECT_THAT(make().text, HasSubstr("descriptor.onnx.reconstruction_range: expected two different numbers"));
 }
 
 }  // namespace

@@ -1,35 +1,41 @@
-// A network from elsewhere: ONNX.
-#include "models/autoencoder/autoencoder.h"
-#include "models/onnx/graph.h"
+// A network from elsewhere: ONNX, with and without weights in a file beside it.
 #include "models/onnx/onnx_descriptor.h"
 #include "tests/fuzz/fuzz.h"
+#include "tests/models/onnx/other_writer.h"
 
 namespace hbr::fuzz {
+namespace {
+
+constexpr int kWeights = 2 * 784;
+
+}  // namespace
 
 std::vector<std::string> examples() {
-  const std::vector<float> weights(2 * 784, 0.01f);
   std::vector<std::string> all;
-  for (const bool layers : {false, true}) {
-    OnnxGraph graph;
-    graph.input("x", {784});
-    graph.weights("w1", {784, 2}, weights);
-    graph.weights("w2", {2, 784}, weights);
-    graph.node("MatMul", {"x", "w1"}, "h");
-    graph.node("Tanh", {"h"}, "z");
-    if (layers) {
-      graph.numbers("shape", {-1, 1, 2});
-      graph.node("Reshape", {"z", "shape"}, "r");
-      graph.node("Flatten", {"r"}, "f", {{"axis", std::int64_t{1}}});
+  for (const std::string& data : {other::raw_data(other::raw(std::vector<float>(kWeights, 0.01f))),
+                                  other::in_file("weights", "8", "6272"), other::in_file("weights", "", "")})
+    for (const bool layers : {false, true}) {
+      other::File file;
+      file.input("x", {-1, 784})
+          .weights(other::tensor("w1", other::kFloat, {784, 2}, data))
+          .weights(
+              other::tensor("w2", other::kFloat16, {2, 784}, other::raw_data(std::string(2 * kWeights, '0'))))
+          .node("MatMul", {"x", "w1"}, {"h"})
+          .node("Tanh", {"h"}, {"z"});
+      if (layers)
+        file.weights(other::tensor("shape", other::kInt64, {3},
+                                   other::raw_data(other::raw<std::int64_t>({-1, 1, 2}))))
+            .node("Reshape", {"z", "shape"}, {"r"})
+            .node("Flatten", {"r"}, {"f"}, other::integer_attribute("axis", 1));
+      file.node("MatMul", {layers ? "f" : "z", "w2"}, {"y"}).output("y", {-1, 784});
+      all.push_back(file.content());
     }
-    graph.node("MatMul", {layers ? "f" : "z", "w2"}, "y");
-    graph.output("y", {784});
-    all.push_back(graph.bytes());
-  }
   return all;
 }
 
 void read(const std::string& bytes) {
-  const OnnxDescriptor descriptor(bytes, "network.onnx");
+  written("weights", std::string(8 + kWeights * sizeof(float), '0'));
+  const OnnxDescriptor descriptor(bytes, folder() / "network.onnx");
   const std::vector<float> image(784, 0.5f);
   std::vector<float> position(static_cast<std::size_t>(descriptor.dimension())), decoded(784);
   descriptor.reconstruct(1, image.data(), position.data(), decoded.data());

@@ -7,11 +7,13 @@
 
 #include "models/autoencoder/autoencoder.h"
 #include "models/onnx/export.h"
+#include "models/onnx/file/fields.h"
 #include "models/onnx/graph.h"
 #include "models/onnx/onnx_descriptor.h"
 #include "pipeline/core/check.h"
 #include "tests/models/autoencoder/images.h"
 #include "tests/models/descriptor/contract.h"
+#include "tests/models/onnx/other_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -65,6 +67,32 @@ TEST(OnnxExport, GivesOpenCvOurNumbers) {
     EXPECT_LT(greatest_difference(encoder[0], position), 2e-6) << dim;
     const auto decoder = run(onnx_decoder(autoencoder.network()), places, {"decoded"});
     EXPECT_LT(greatest_difference(decoder[0], decoded), 2e-6) << dim;
+  }
+}
+
+// What a file says of itself, read field by field: metadata_props and the doc strings of inputs and outputs.
+TEST(OnnxExport, SaysWhatItsInputsAndOutputsAre) {
+  const auto network = untrained(2);
+  const auto fields = [](std::string_view bytes, int number) {
+    std::vector<std::string> found;
+    Field f;
+    for (FieldReader reader(bytes); reader.next(f);)
+      if (f.number == number) found.emplace_back(f.bytes);
+    return found;
+  };
+  for (const std::string& model :
+       {onnx_encoder(network.network()), onnx_decoder(network.network()), onnx_whole(network.network())}) {
+    EXPECT_THAT(fields(model, 2), testing::ElementsAre("hbr"));
+    std::map<std::string, std::string> told;
+    for (const std::string& entry : fields(model, 14)) told[fields(entry, 1).at(0)] = fields(entry, 2).at(0);
+    EXPECT_THAT(told["description"], HasSubstr("autoencoder"));
+    const std::string graph = fields(model, 7).at(0);
+    for (const int kind : {11, 12})
+      for (const std::string& value : fields(graph, kind)) {
+        const std::string name = fields(value, 1).at(0), meaning = fields(value, 3).at(0);
+        EXPECT_EQ(meaning, told.at(name));
+        EXPECT_THAT(meaning, HasSubstr(name == "position" ? "from -1 to 1" : "from 0"));
+      }
   }
 }
 
@@ -166,14 +194,36 @@ TEST(OnnxDescriptor, PositionsBeyondTheUnitBoxAreScaledIntoIt) {
   EXPECT_TRUE(describe(read, images) == describe(imported, images));
 }
 
+TEST(OnnxDescriptor, PositionsThatDoNotVaryAreRefused) {
+  const Rows images = as_images(stroke_images(12, Seed(5)));
+  Dense dense(784, 3, 784);
+  dense.encoder.row(1).setZero();
+  OnnxDescriptor imported(dense.gemm({784}), "mine.onnx");
+  Rows raw(12, 3), decoded(12, 784);
+  imported.reconstruct(12, images.data(), raw.data(), decoded.data());
+  const auto placed = [&] { imported.place(raw); };
+  EXPECT_THAT(placed, testing::ThrowsMessage<InputError>(
+                          HasSubstr("mine.onnx: coordinate 2 (of 3) of the position 'z' is 0 for all 12 "
+                                    "training images: they differ by 0,")));
+  for (const float spread : {1e-6f, 1e-5f}) {
+    raw.col(1).setConstant(3);
+    raw(4, 1) += spread;
+    if (spread > 3e-6f)
+      EXPECT_NO_THROW(placed());
+    else
+      EXPECT_THAT(placed, testing::ThrowsMessage<InputError>(HasSubstr("coordinate 2 (of 3)")));
+  }
+}
+
 TEST(OnnxDescriptor, OfAFileThatEndsOpenCvIsRefused) {
   OnnxGraph graph;
   graph.input("x", {784});
-  graph.weights("w1", {784, 2}, {});  // they would be elsewhere: OpenCV divides by their number
+  graph.weights("w1", {784, 0}, {});  // OpenCV divides by their number
   graph.node("Gemm", {"x", "w1"}, "z");
-  graph.output("z", {2});
+  graph.output("z", {0});
   EXPECT_THAT([&] { OnnxDescriptor(graph.bytes(), "mine.onnx"); },
-              testing::ThrowsMessage<InputError>(HasSubstr("mine.onnx: the reader crashed on it")));
+              testing::ThrowsMessage<InputError>(HasSubstr(
+                  "can't run the operator Gemm (node 'z', which makes 'z'): the reader crashed on it")));
 }
 
 TEST(OnnxDescriptor, SaysInOneLineWhatIsWrong) {
@@ -191,12 +241,15 @@ TEST(OnnxDescriptor, SaysInOneLineWhatIsWrong) {
   for (const std::string& junk : {std::string(), std::string("hello"), whole.substr(0, whole.size() / 2)})
     EXPECT_THAT(complaint(junk), HasSubstr("mine.onnx: not an ONNX network"));
   EXPECT_THAT(complaint(Dense(100, 2, 784).gemm({100})),
-              HasSubstr("takes images n x 784 or n x 1 x 28 x 28"));
+              HasSubstr("expected a network that takes images n x 784, n x 1 x 28 x 28, "));
   EXPECT_THAT(complaint(Dense(784, 2, 100).gemm({784})),
-              HasSubstr("expected one output of 784 numbers an image, found outputs of 100"));
+              HasSubstr("expected one output of 784 numbers an image, found outputs of 'y' (1 x 100)"));
   EXPECT_THAT(complaint(Dense(784, 9, 784).gemm({784})),
               HasSubstr("has 9 numbers an image; expected 1 to 8"));
-  EXPECT_THAT(complaint(onnx_encoder(untrained(2).network())), HasSubstr("found outputs of 2"));
+  EXPECT_THAT(complaint(onnx_encoder(untrained(2).network())),
+              HasSubstr("found outputs of 'position' (1 x 2)"));
+  EXPECT_THAT(complaint(other::File().input("x", {-1, 784}).node("Relu", {"y"}, {"z"}).content()),
+              HasSubstr("reads 'y', which nothing before it makes"));
   Dense broken(784, 2, 784);
   broken.decoder(5, 1) = std::numeric_limits<float>::infinity();
   EXPECT_THAT(complaint(broken.gemm({784})),

@@ -27,6 +27,11 @@ class Message {
     return *this;
   }
   Message& message(int field, const Message& value) { return text(field, value.bytes_); }
+  // Appends fields as they stand in another message.
+  Message& copy(std::string_view fields) {
+    bytes_.append(fields);
+    return *this;
+  }
 
   const std::string& bytes() const { return bytes_; }
 
