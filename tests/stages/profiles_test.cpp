@@ -32,6 +32,7 @@ std::map<std::string, Node> by_output(const Graph& graph) {
 TEST(Profiles, AllThatAreThereCanBePlanned) {
   int profiles = 0;
   for (const auto& entry : fs::directory_iterator(kProfiles)) {
+    if (entry.path().extension() != ".toml") continue;  // what is told of them
     SCOPED_TRACE(entry.path());
     const Graph graph = experiment_graph(entry.path());
     EXPECT_NO_THROW(check_graph(graph));
