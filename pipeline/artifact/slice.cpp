@@ -3,6 +3,7 @@
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/manifest.h"
+#include "pipeline/artifact/temporary.h"
 
 namespace hbr {
 namespace {
@@ -50,7 +51,13 @@ void write_slice(const std::filesystem::path& out, const Node& node) {
   all.update(settings_to_json(ForRunner{node.program, node.replication, node.sources}));
   const std::filesystem::path path = slice_path(out, node);
   std::filesystem::create_directories(path.parent_path());
-  write_whole(path, all.dump(1) + "\n");
+  const std::string text = all.dump(1) + "\n";
+  if (std::filesystem::exists(path) && read_whole(path) == text) return;
+  // A machine that stops may lose it, and the next plan writes it again: waiting for the disk would cost more
+  // than all the rest of planning.
+  const Temporary written(temporary_beside(path));
+  write_file(written.path, text);
+  std::filesystem::rename(written.path, path);
 }
 
 Node read_slice(const std::filesystem::path& file) {
