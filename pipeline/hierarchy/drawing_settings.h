@@ -5,6 +5,7 @@
 
 #include "pipeline/core/settings.h"
 #include "pipeline/drawing/draw.h"
+#include "pipeline/hierarchy/coordinate.h"
 
 namespace hbr {
 
@@ -32,6 +33,9 @@ struct PencilSettings {
   // Of a gene in [0, 1], pixels.
   double width(float gene) const { return thinnest_px + gene * (thickest_px - thinnest_px); }
 };
+inline Coordinate pen_width(const PencilSettings& pencil) {
+  return {"pen width", "px", pencil.width(0), pencil.width(1)};
+}
 template <class Fields>
 void describe(Fields& f, PencilSettings& s) {
   f.choice("framing", s.framing, {"box", "workspace"}, "which part of the plane the image shows");

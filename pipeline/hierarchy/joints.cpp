@@ -10,6 +10,13 @@ void decode_joints(const Robot& robot, const float* genome, double* joints) {
   for (Eigen::Index j = 0; j < lower.size(); ++j) joints[j] = lower[j] + genome[j] * (upper[j] - lower[j]);
 }
 
+Coordinates joint_coordinates(const Robot& robot) {
+  Coordinates joints;
+  for (Eigen::Index j = 0; j < robot.dof(); ++j)
+    joints.push_back({"joint " + std::to_string(j + 1), "rad", robot.lower()[j], robot.upper()[j]});
+  return joints;
+}
+
 Eigen::VectorXf encode_joints(const Robot& robot, const Eigen::VectorXd& joints) {
   const Eigen::ArrayXd range = (robot.upper() - robot.lower()).array().max(1e-12);
   return ((joints - robot.lower()).array() / range).max(0).min(1).cast<float>();
@@ -36,8 +43,10 @@ double few_joints(const double* joints, Eigen::Index dof) {
 
 std::span<const JointCost> joint_costs() {
   static constexpr std::array kCosts = {
-      JointCost{"joint_variance", "that they differ", joint_variance},
-      JointCost{"few_joints", "that more than two of them move", few_joints},
+      JointCost{"joint_variance", "that they differ", "the population variance of the joints",
+                joint_variance},
+      JointCost{"few_joints", "that more than two of them move",
+                "the sum of the squares of all joints but the two largest", few_joints},
   };
   return kCosts;
 }

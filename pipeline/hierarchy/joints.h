@@ -4,12 +4,15 @@
 #include <span>
 #include <vector>
 
+#include "pipeline/hierarchy/coordinate.h"
 #include "pipeline/hierarchy/robot.h"
 
 namespace hbr {
 
 // Joints [dof] of a genome [dof] in [0, 1]: the range of the limits.
 void decode_joints(const Robot& robot, const float* genome, double* joints);
+// What its genes are.
+Coordinates joint_coordinates(const Robot& robot);
 // The genome [dof] of joints [dof]; beyond the limits it is theirs.
 Eigen::VectorXf encode_joints(const Robot& robot, const Eigen::VectorXd& joints);
 
@@ -21,6 +24,7 @@ double few_joints(const double* joints, Eigen::Index dof);
 struct JointCost {
   const char* name;
   const char* meaning;
+  const char* figure;  // what it is, in rad^2
   double (*of)(const double* joints, Eigen::Index dof);
 };
 std::span<const JointCost> joint_costs();

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "pipeline/hierarchy/coordinate.h"
 #include "pipeline/hierarchy/descriptor.h"
 #include "pipeline/hierarchy/frame.h"
 #include "pipeline/hierarchy/layer_evaluator.h"
@@ -22,12 +23,21 @@ struct Surroundings {
 
 // A head of genes, then, where genomes differ in length, one to `most_blocks` blocks.
 struct GenomeShape {
-  int head;
-  int block = 0;
+  Coordinates head;
+  Coordinates block = {};
   int most_blocks = 0;
   double length_rate = 0;  // probability that a child has a block more or less
-  int genes() const { return head + most_blocks * block; }
+  // Genes of one with that many blocks; of the longest.
+  int genes(int blocks) const { return static_cast<int>(head.size()) + blocks * block_genes(); }
+  int genes() const { return genes(most_blocks); }
+  int block_genes() const { return static_cast<int>(block.size()); }
   bool fixed() const { return most_blocks == 0; }
+  // Of all genes of the longest.
+  Coordinates coordinates() const {
+    Coordinates all = head;
+    for (int k = 1; k <= most_blocks; ++k) append(all, "block " + std::to_string(k) + " ", block);
+    return all;
+  }
 };
 
 class LayerModel {
@@ -39,6 +49,10 @@ class LayerModel {
   // Range of its descriptor, the same in every dimension.
   virtual float low() const { return 0; }
   virtual float high() const { return 1; }
+  // What each dimension of it is, and what the fitness is. Of a layer that was made without the learned
+  // descriptor that it asks for the first is empty.
+  virtual const Coordinates& descriptor() const = 0;
+  virtual const FitnessMeaning& fitness() const = 0;
   // As the layers above see the drawing area.
   virtual const Frame& frame() const = 0;
   // Obeys by these elites. A layer without any below it, points aside, can't be built on.

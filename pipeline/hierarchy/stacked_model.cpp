@@ -20,6 +20,9 @@ class StackedModel final : public LayerModel {
       evaluator_ = std::make_unique<SingleEvaluator>(executor_, *parts_.outcome);
     else if (parts_.sampled)
       evaluator_ = std::make_unique<SampledEvaluator>(executor_, *parts_.sampled);
+    HBR_CHECK(!outcome() || outcome()->descriptor_size() == static_cast<int>(parts_.descriptor.size()),
+              "{} coordinates of the descriptor are told; expected {}", parts_.descriptor.size(),
+              outcome()->descriptor_size());
   }
 
   GenomeShape genome() const override { return parts_.genome; }
@@ -29,6 +32,8 @@ class StackedModel final : public LayerModel {
   }
   float low() const override { return outcome() ? outcome()->low() : 0; }
   float high() const override { return outcome() ? outcome()->high() : 1; }
+  const Coordinates& descriptor() const override { return parts_.descriptor; }
+  const FitnessMeaning& fitness() const override { return parts_.fitness; }
   const Frame& frame() const override { return parts_.frame; }
   std::unique_ptr<Layer> finished(const Elites& elites) const override {
     return std::make_unique<RepertoireLayer>(elites, *parts_.decoder, executor_.points(), below_,

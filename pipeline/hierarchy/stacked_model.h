@@ -9,6 +9,8 @@ namespace hbr {
 
 struct StackedParts {
   GenomeShape genome;
+  Coordinates descriptor;
+  FitnessMeaning fitness;
   Frame frame;  // for the layers above
   std::unique_ptr<Decoder> decoder;
   // One of the two, or none where the layer is only executed.

@@ -62,7 +62,7 @@ ContainerSettings container_settings(const SearchTable& t, DescriptorRange range
 std::unique_ptr<Variation> make_variation(const GenomeShape& genome, const SearchTable& table) {
   const auto eta = static_cast<float>(table.mutation_eta), rate = static_cast<float>(table.mutation_rate);
   if (genome.fixed()) return std::make_unique<PolynomialMutation>(genome.genes(), eta, rate);
-  return std::make_unique<BlockMutation>(genome.head, genome.block, genome.most_blocks, eta, rate,
+  return std::make_unique<BlockMutation>(genome.genes(0), genome.block_genes(), genome.most_blocks, eta, rate,
                                          static_cast<float>(genome.length_rate));
 }
 

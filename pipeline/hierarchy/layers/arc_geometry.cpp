@@ -77,6 +77,12 @@ Place place_of(std::span<const Eigen::Vector2d> points, ArcCentre centre) {
 
 }  // namespace
 
+Coordinates arc_coordinates(const Frame& frame) {
+  Coordinates arc = plane_coordinates("centre", frame.half_side);
+  arc.push_back({"length", "m", 0, longest_arc(frame)});
+  return arc;
+}
+
 Eigen::Vector2d circle_centre(std::span<const Eigen::Vector2d> points) {
   const Place p = place_of(points, ArcCentre::kCircle);
   return points[0] + Eigen::Vector2d(p.x, p.y);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/hierarchy/coordinate.h"
 #include "pipeline/hierarchy/frame.h"
 
 namespace hbr {
@@ -22,6 +23,9 @@ enum class ArcCentre { kCircle, kCentroid };
 // Least-squares circle (Kasa 1976) through the points; its centre, m. A hair of regularisation brings the
 // centre of collinear points back to their mean instead of infinity.
 Eigen::Vector2d circle_centre(std::span<const Eigen::Vector2d> points);
+
+// What the coordinates of an arc's descriptor are.
+Coordinates arc_coordinates(const Frame& frame);
 
 struct ArcShape {
   Eigen::Vector2d centre;  // C, relative to the first point, m

@@ -16,6 +16,20 @@ ArcLines decode_lines(const Frame& frame, const float* genes) {
   return lines;
 }
 
+Coordinates line_genes(const Frame& frame) {
+  Coordinates genes;
+  for (int i = 1; i <= kArcSegments; ++i)
+    append(genes, "line " + std::to_string(i) + " ", line_coordinates(frame));
+  return genes;
+}
+
+Coordinates turn_genes(const Frame& frame) {
+  constexpr double kPi = std::numbers::pi;
+  return {{"heading", "rad", -kPi, kPi},
+          {"length of a line", "m", 0, frame.longest_line},
+          {"turn", "rad", -kPi, kPi}};
+}
+
 ArcLines decode_turn(const Frame& frame, const float* genes) {
   const double heading = (2.0 * genes[0] - 1) * std::numbers::pi,
                turn = (2.0 * genes[2] - 1) * std::numbers::pi;
@@ -35,8 +49,8 @@ ArcLines decode_turn(const Frame& frame, const float* genes) {
 
 std::span<const ArcController> arc_controllers() {
   static constexpr std::array kControllers = {
-      ArcController{"lines", "ten genes, five displacements", 2 * kArcSegments, decode_lines},
-      ArcController{"turn", "three genes, heading, length and turn", 3, decode_turn},
+      ArcController{"lines", "ten genes, five displacements", line_genes, decode_lines},
+      ArcController{"turn", "three genes, heading, length and turn", turn_genes, decode_turn},
   };
   return kControllers;
 }
@@ -44,6 +58,15 @@ std::span<const ArcController> arc_controllers() {
 ArcReading arc_reading(const ArcReadingSettings& settings) {
   return {settings.centre == "centroid" ? ArcCentre::kCentroid : ArcCentre::kCircle,
           settings.joint_term == "pooled" ? JointTerm::kPooled : JointTerm::kMean};
+}
+
+FitnessMeaning arc_fitness(const ArcReading& reading) {
+  return {std::string("minus the sum of 100 times the variance of the lines' lengths (m^2), the variance of "
+                      "the turns between them (rad^2) and ") +
+              (reading.joint_term == JointTerm::kMean
+                   ? "the mean over the way-points of the variance of their joints (rad^2)"
+                   : "the variance of all joints of all way-points (rad^2)"),
+          ""};
 }
 
 int ArcDecoder::decode(const float* genome, int /*length*/, double* commands) const {
@@ -112,8 +135,10 @@ const ArcOutcome& arc_outcome(const LayerModel& layer) {
 std::unique_ptr<LayerModel> make_arcs(const ArcsSettings& settings, const Surroundings& around) {
   const ArcController& controller = named(arc_controllers(), settings.controller, "controller");
   StackedParts arcs;
-  arcs.genome = {controller.genes};
   arcs.frame = around.below->frame();
+  arcs.genome = {controller.genes(arcs.frame)};
+  arcs.descriptor = arc_coordinates(arcs.frame);
+  arcs.fitness = arc_fitness(arc_reading(settings));
   arcs.decoder = std::make_unique<ArcDecoder>(arcs.frame, controller);
   arcs.sampled = std::make_unique<ArcOutcome>(arcs.frame, arc_reading(settings));
   arcs.samples = settings.samples;

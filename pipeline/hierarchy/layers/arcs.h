@@ -16,7 +16,7 @@ using ArcLines = std::array<Eigen::Vector2d, kArcSegments>;  // displacements wa
 struct ArcController {
   const char* name;
   const char* meaning;
-  int genes;
+  Coordinates (*genes)(const Frame&);
   ArcLines (*decode)(const Frame&, const float* genes);
 };
 // "lines" (the paper's first controller): ten genes, five displacements in layer 2's range. "turn" (the
@@ -54,6 +54,7 @@ struct ArcReading {
   JointTerm joint_term = JointTerm::kMean;
 };
 ArcReading arc_reading(const ArcReadingSettings& settings);
+FitnessMeaning arc_fitness(const ArcReading& reading);
 
 class ArcDecoder final : public Decoder {
  public:

@@ -39,12 +39,17 @@ std::optional<PenPlacement> DigitDecoder::placement(const float* genome) const {
 
 std::unique_ptr<LayerModel> make_digits(const DigitsSettings& settings, const Surroundings& around) {
   StackedParts digits;
-  digits.genome = {DigitDecoder::kHead, DigitDecoder::kBlock, DigitDecoder::kMaxArcs, settings.length_rate};
   digits.frame = around.below->frame();
+  Coordinates head = plane_coordinates("start", digits.frame.half_side);
+  head.push_back(pen_width(settings.pencil));
+  digits.genome = {head, arc_coordinates(digits.frame), DigitDecoder::kMaxArcs, settings.length_rate};
+  digits.fitness = image_fitness();
   digits.decoder = std::make_unique<DigitDecoder>(digits.frame, out_of_range(settings.out_of_range));
   digits.way = {true, settings.line_spacing};
-  if (around.descriptor)
+  if (around.descriptor) {
+    digits.descriptor = latent_coordinates(*around.descriptor);
     digits.outcome = std::make_unique<ImageOutcome>(*around.descriptor, settings.pencil, digits.way);
+  }
   digits.images = 1;
   digits.draw = [pencil = settings.pencil](const Executions& executions, int execution, float* image) {
     draw_stroke(executions, execution, 0, pencil, image);

@@ -44,15 +44,23 @@ void FlatArcEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index e
   }
 }
 
+Coordinates configuration_coordinates(const Robot& robot) {
+  Coordinates genes;
+  for (int w = 1; w <= kArcSegments; ++w)
+    append(genes, "configuration " + std::to_string(w) + " ", joint_coordinates(robot));
+  return genes;
+}
+
 std::unique_ptr<LayerModel> make_flat_arcs(const FlatArcsSettings& settings, const Surroundings& around) {
   const FlatStart start = settings.start == "straight" ? FlatStart::kStraight
                           : settings.start == "first"  ? FlatStart::kFirst
                                                        : FlatStart::kRandom;
   FlatParts arcs;
   arcs.frame = {settings.half_side, settings.longest_line};
-  auto evaluator = std::make_unique<FlatArcEvaluator>(around.robot, arcs.frame, start, arc_reading(settings));
-  arcs.genome = {evaluator->genes()};
-  arcs.evaluator = std::move(evaluator);
+  arcs.genome = {configuration_coordinates(around.robot)};
+  arcs.descriptor = arc_coordinates(arcs.frame);
+  arcs.fitness = arc_fitness(arc_reading(settings));
+  arcs.evaluator = std::make_unique<FlatArcEvaluator>(around.robot, arcs.frame, start, arc_reading(settings));
   return flat_model("flat arcs", std::move(arcs));
 }
 

@@ -38,6 +38,9 @@ class FlatArcEvaluator final : public Evaluator {
   ArcReading reading_;
 };
 
+// The genes of five configurations of all joints.
+Coordinates configuration_coordinates(const Robot& robot);
+
 std::unique_ptr<LayerModel> make_flat_arcs(const FlatArcsSettings& settings, const Surroundings& around);
 
 }  // namespace hbr

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/hierarchy/joints.h"
+#include "pipeline/hierarchy/layers/flat_arcs.h"
 #include "pipeline/hierarchy/layers/flat_model.h"
 #include "pipeline/hierarchy/layers/image_outcome.h"
 
@@ -76,8 +77,13 @@ std::unique_ptr<LayerModel> make_flat_digits(const FlatDigitsSettings& settings,
   FlatParts digits;
   digits.frame = {settings.half_side, 0};
   const auto flat = std::make_shared<const FlatDigits>(around.robot, digits.frame, settings.pencil, reading);
-  digits.genome = {FlatDigits::kHead, flat->block(), FlatDigits::kMaxBlocks, settings.length_rate};
+  digits.genome = {{pen_width(settings.pencil)},
+                   configuration_coordinates(around.robot),
+                   FlatDigits::kMaxBlocks,
+                   settings.length_rate};
+  digits.fitness = image_fitness();
   if (around.descriptor) {
+    digits.descriptor = latent_coordinates(*around.descriptor);
     digits.evaluator = std::make_unique<FlatDigitEvaluator>(flat, *around.descriptor);
     digits.low = around.descriptor->lower().minCoeff();
     digits.high = around.descriptor->upper().maxCoeff();

@@ -15,6 +15,8 @@ class FlatModel final : public LayerModel {
   }
   float low() const override { return parts_.low; }
   float high() const override { return parts_.high; }
+  const Coordinates& descriptor() const override { return parts_.descriptor; }
+  const FitnessMeaning& fitness() const override { return parts_.fitness; }
   const Frame& frame() const override { return parts_.frame; }
   std::unique_ptr<Layer> finished(const Elites&) const override {
     throw InputError("no layer can be built on {}: they move the joints, not a pen that goes on", kind_);

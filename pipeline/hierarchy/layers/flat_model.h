@@ -9,6 +9,8 @@ namespace hbr {
 
 struct FlatParts {
   GenomeShape genome;
+  Coordinates descriptor;
+  FitnessMeaning fitness;
   Frame frame;
   std::unique_ptr<Evaluator> evaluator;  // none where the layer is only looked at
   float low = 0, high = 1;

@@ -21,6 +21,21 @@ void describe_images(const Descriptor& descriptor, Eigen::Index n, const float* 
   Eigen::Map<Eigen::VectorXf>(fitness, n) *= -1;
 }
 
+Coordinates latent_coordinates(int dimension, double low, double high) {
+  Coordinates latent;
+  for (int d = 1; d <= dimension; ++d) latent.push_back({"latent " + std::to_string(d), "", low, high});
+  return latent;
+}
+
+Coordinates latent_coordinates(const Descriptor& descriptor) {
+  return latent_coordinates(static_cast<int>(descriptor.dimension()), descriptor.lower().minCoeff(),
+                            descriptor.upper().maxCoeff());
+}
+
+FitnessMeaning image_fitness() {
+  return {"minus the mean squared error per pixel between the image and its reconstruction", ""};
+}
+
 void ImageOutcome::measure(const Executions& executions, float* descriptor, float* fitness) const {
   std::vector<float> images(static_cast<std::size_t>(executions.size()) * kImagePixels);
   for (int e = 0; e < executions.size(); ++e)

@@ -2,6 +2,7 @@
 // knows such images.
 #pragma once
 
+#include "pipeline/hierarchy/coordinate.h"
 #include "pipeline/hierarchy/descriptor.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "pipeline/hierarchy/outcome.h"
@@ -16,6 +17,12 @@ void draw_stroke(const Executions& executions, int execution, int k, const Penci
 // Has n images [n x 28 x 28] described: positions [n x dimension], and as fitness minus the errors [n].
 void describe_images(const Descriptor& descriptor, Eigen::Index n, const float* images, float* position,
                      float* fitness);
+
+// A place in a learned descriptor's space, whose range is the same in every dimension.
+Coordinates latent_coordinates(int dimension, double low, double high);
+Coordinates latent_coordinates(const Descriptor& descriptor);
+// What the fitness of an image is.
+FitnessMeaning image_fitness();
 
 // Fitness: minus the error of reconstruction. What was not executed is described as an empty image, for
 // nobody to read.

@@ -9,6 +9,10 @@ Eigen::Vector2d decode_line(const Frame& frame, const float* genes) {
   return frame.line_range == LineRange::kDisc ? at_most(line, frame.longest_line) : line;
 }
 
+Coordinates line_coordinates(const Frame& frame) {
+  return plane_coordinates("displacement", frame.longest_line);
+}
+
 int LineDecoder::decode(const float* genome, int /*length*/, double* commands) const {
   const Eigen::Vector2d displacement = decode_line(frame_, genome);
   commands[0] = displacement.x();
@@ -41,9 +45,10 @@ namespace {
 
 StackedParts parts(const LinesFromStartSettings& settings, const Surroundings& around) {
   StackedParts parts;
-  parts.genome = {2};
   parts.frame = around.below->frame();
   parts.frame.longest_line = settings.longest_line;
+  parts.genome = {line_coordinates(parts.frame)};
+  parts.fitness = {"0 for every line", ""};
   parts.frame.line_range = settings.line_range == "square" ? LineRange::kSquare : LineRange::kDisc;
   parts.decoder = std::make_unique<LineDecoder>(parts.frame);
   parts.slack = 0.25f;  // corners of the square that commands may come from
@@ -54,6 +59,7 @@ StackedParts parts(const LinesFromStartSettings& settings, const Surroundings& a
 
 std::unique_ptr<LayerModel> make_lines(const LinesSettings& settings, const Surroundings& around) {
   StackedParts lines = parts(settings, around);
+  lines.descriptor = line_coordinates(lines.frame);
   lines.sampled = std::make_unique<LineOutcome>(lines.frame);
   lines.samples = settings.samples;
   return stacked_model(around, std::move(lines));
@@ -62,6 +68,8 @@ std::unique_ptr<LayerModel> make_lines(const LinesSettings& settings, const Surr
 std::unique_ptr<LayerModel> make_lines_from_start(const LinesFromStartSettings& settings,
                                                   const Surroundings& around) {
   StackedParts lines = parts(settings, around);
+  lines.descriptor = plane_coordinates("start", lines.frame.half_side);
+  append(lines.descriptor, "", line_coordinates(lines.frame));
   lines.outcome = std::make_unique<LineFromStartOutcome>(lines.frame);
   return stacked_model(around, std::move(lines));
 }

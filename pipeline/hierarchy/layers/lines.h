@@ -30,6 +30,9 @@ void describe(Fields& f, LinesSettings& s) {
 // corners are brought back along their direction.
 Eigen::Vector2d decode_line(const Frame& frame, const float* genes);
 
+// Both genes, and both coordinates of the descriptor.
+Coordinates line_coordinates(const Frame& frame);
+
 class LineDecoder final : public Decoder {
  public:
   explicit LineDecoder(const Frame& frame) : frame_(frame) {}

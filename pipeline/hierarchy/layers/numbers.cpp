@@ -8,6 +8,15 @@
 #include "pipeline/hierarchy/stack.h"
 
 namespace hbr {
+namespace {
+
+Coordinates of_each_digit(int digits, const Coordinates& digit) {
+  Coordinates all;
+  for (int k = 1; k <= digits; ++k) append(all, "digit " + std::to_string(k) + " ", digit);
+  return all;
+}
+
+}  // namespace
 
 int NumberDecoder::decode(const float* genome, int /*length*/, double* commands) const {
   for (int k = 0; k < digits_; ++k)
@@ -34,6 +43,12 @@ float overlap_of_strokes(const Executions& executions, int execution, int digits
     right_before = right;
   }
   return sum;
+}
+
+Coordinates NumberDecoder::genes() const {
+  Coordinates digit = latent_coordinates(command_size_, low_, high_);
+  append(digit, "", plane_coordinates("displacement", frame_.half_side));
+  return of_each_digit(digits_, digit);
 }
 
 namespace {
@@ -88,10 +103,16 @@ std::unique_ptr<LayerModel> make_numbers(const NumbersSettings& settings, const 
   auto decoder = std::make_unique<NumberDecoder>(numbers.frame, settings.digits, top.command_size(),
                                                  top.low(), top.high());
   numbers.genome = {decoder->genes()};
+  numbers.fitness = {"the mean over its digits of " + image_fitness().meaning +
+                         ", minus by how much each digit reaches back over the one before it (in shares of "
+                         "the drawing area's side)",
+                     ""};
   numbers.decoder = std::move(decoder);
   numbers.way = {true, settings.line_spacing};
-  if (around.descriptor)
+  if (around.descriptor) {
+    numbers.descriptor = of_each_digit(settings.digits, latent_coordinates(*around.descriptor));
     numbers.outcome = std::make_unique<NumberOutcome>(*around.descriptor, settings, numbers.way);
+  }
   numbers.images = settings.digits;
   numbers.draw = [settings](const Executions& executions, int execution, float* images) {
     for (int k = 0; k < settings.digits; ++k)

@@ -27,7 +27,7 @@ class NumberDecoder final : public Decoder {
  public:
   NumberDecoder(const Frame& frame, int digits, int command_size, float low, float high)
       : frame_(frame), digits_(digits), command_size_(command_size), low_(low), high_(high) {}
-  int genes() const { return digits_ * block(); }
+  Coordinates genes() const;
   int command_size() const override { return command_size_; }
   int max_commands() const override { return digits_; }
   int decode(const float* genome, int length, double* commands) const override;

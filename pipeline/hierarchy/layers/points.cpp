@@ -33,8 +33,13 @@ class PointsModel final : public LayerModel {
   PointsModel(const PointsSettings& settings, const Robot& robot)
       : robot_(robot),
         frame_{settings.half_side, 0},
-        evaluator_(robot, frame_, named(joint_costs(), settings.cost, "cost")) {}
-  GenomeShape genome() const override { return {static_cast<int>(robot_.dof())}; }
+        descriptor_(plane_coordinates("place", settings.half_side)),
+        cost_(named(joint_costs(), settings.cost, "cost")),
+        fitness_{std::string("minus ") + cost_.figure, "rad^2"},
+        evaluator_(robot, frame_, cost_) {}
+  GenomeShape genome() const override { return {joint_coordinates(robot_)}; }
+  const Coordinates& descriptor() const override { return descriptor_; }
+  const FitnessMeaning& fitness() const override { return fitness_; }
   const Evaluator& evaluator() const override { return evaluator_; }
   const Frame& frame() const override { return frame_; }
   std::unique_ptr<Layer> finished(const Elites& elites) const override {
@@ -44,6 +49,9 @@ class PointsModel final : public LayerModel {
  private:
   const Robot& robot_;
   Frame frame_;
+  Coordinates descriptor_;
+  JointCost cost_;
+  FitnessMeaning fitness_;
   PointEvaluator evaluator_;
 };
 

@@ -12,6 +12,8 @@ namespace {
 
 const ArcController& controller() { return named(arc_controllers(), "lines", "controller"); }
 
+int arc_genes() { return static_cast<int>(controller().genes(kFrame).size()); }
+
 std::unique_ptr<LayerModel> arcs(std::int64_t samples) {
   const EvolvedLayers& layers = evolved_layers();
   return make_arcs(arcs_settings("lines", static_cast<int>(samples)), {layers.arm, &layers.lines});
@@ -33,7 +35,7 @@ void draw_arcs(benchmark::State& state, const Evaluator& evaluator, int n, int g
 
 void arc(benchmark::State& state) {
   const auto starts = static_cast<int>(state.range(0));
-  draw_arcs(state, arcs(starts)->evaluator(), kBatch, controller().genes, starts);
+  draw_arcs(state, arcs(starts)->evaluator(), kBatch, arc_genes(), starts);
 }
 BENCHMARK(arc)->Arg(1)->Arg(10)->Arg(100);
 
@@ -41,7 +43,7 @@ void arc_naive(benchmark::State& state) {
   const EvolvedLayers& layers = evolved_layers();
   const auto starts = static_cast<int>(state.range(0));
   const NaiveHierarchy hierarchy(layers.point_elites, layers.line_elites, layers.arm, kFrame);
-  draw_arcs(state, NaiveArcEvaluator(hierarchy, controller(), starts), 5, controller().genes, starts);
+  draw_arcs(state, NaiveArcEvaluator(hierarchy, controller(), starts), 5, arc_genes(), starts);
 }
 BENCHMARK(arc_naive)->Arg(1)->Arg(10)->Arg(100);
 
@@ -64,7 +66,7 @@ void whole_run(benchmark::State& state, const Evaluator& evaluator, int genes, s
 }
 
 void layer3(benchmark::State& state) {
-  whole_run<FastParts>(state, arcs(state.range(0))->evaluator(), controller().genes, 1000);
+  whole_run<FastParts>(state, arcs(state.range(0))->evaluator(), arc_genes(), 1000);
 }
 BENCHMARK(layer3)->Arg(1)->Arg(10)->Arg(100)->Iterations(1)->Unit(benchmark::kMillisecond);
 
@@ -73,7 +75,7 @@ void layer3_naive(benchmark::State& state) {
   const EvolvedLayers& layers = evolved_layers();
   const NaiveHierarchy hierarchy(layers.point_elites, layers.line_elites, layers.arm, kFrame);
   whole_run<NaiveParts>(state, NaiveArcEvaluator(hierarchy, controller(), static_cast<int>(state.range(0))),
-                        controller().genes, 5);
+                        arc_genes(), 5);
 }
 BENCHMARK(layer3_naive)
     ->Arg(1)

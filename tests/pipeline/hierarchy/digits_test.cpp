@@ -278,10 +278,11 @@ TEST_F(Digits, AreJudgedByTheirImages) {
           const Trace trace = trace_of(executions, 0);
           draw(trace.pen.data(), trace.points(), 1 + 3 * g[2], Framing::box, kFrame.half_side, out);
         });
-  check(flat->evaluator(), FlatDigits::kHead, flat->genome().block, [&](const float* g, int n, float* out) {
-    const std::vector<float> xy = plain_pen("straight", "first", g, n);
-    draw(xy.data(), (n - 1) / 8, 1 + 3 * g[0], Framing::box, kFrame.half_side, out);
-  });
+  check(flat->evaluator(), FlatDigits::kHead, flat->genome().block_genes(),
+        [&](const float* g, int n, float* out) {
+          const std::vector<float> xy = plain_pen("straight", "first", g, n);
+          draw(xy.data(), (n - 1) / 8, 1 + 3 * g[0], Framing::box, kFrame.half_side, out);
+        });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What every kind of layer promises, and what each makes of settings that it does not know.
 #include <numeric>
+#include <set>
 
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
@@ -94,8 +95,7 @@ class Kinds : public Layers {
     Batch batch(n, shape.genes(), descriptor_size);
     batch.genome = Rows::NullaryExpr(n, shape.genes(), [&] { return rng.uniform(); });
     for (int i = 0; i < n; ++i)
-      batch.length[i] =
-          shape.fixed() ? shape.genes() : shape.head + shape.block * (1 + i % shape.most_blocks);
+      batch.length[i] = shape.fixed() ? shape.genes() : shape.genes(1 + i % shape.most_blocks);
     return batch;
   }
   Ink ink;
@@ -146,6 +146,26 @@ TEST_F(Kinds, EvaluateRowByRow) {
     evaluator.evaluate(again, 0, 40, Seed(4));
     EXPECT_TRUE(!evaluator.deterministic() || again.fitness == whole.fitness);
     EXPECT_TRUE(!evaluator.stochastic() || again.descriptor != whole.descriptor);
+  }
+}
+
+// Every number of genome and descriptor is told, under a name of its own, and so is the fitness.
+TEST_F(Kinds, TellWhatTheirNumbersAre) {
+  for (const Example& example : examples()) {
+    SCOPED_TRACE(example.kind);
+    const Stack below = stack(example.below);
+    const auto model = layer_kind(example.kind)
+                           .make(example.settings, "example", {arm, example.below ? &below : nullptr, &ink});
+    EXPECT_EQ(static_cast<int>(model->descriptor().size()), model->evaluator().descriptor_size());
+    EXPECT_EQ(static_cast<int>(model->genome().coordinates().size()), model->genome().genes());
+    EXPECT_FALSE(model->fitness().meaning.empty());
+    for (const Coordinates& coordinates : {model->genome().coordinates(), model->descriptor()}) {
+      std::set<std::string> names;
+      for (const Coordinate& c : coordinates) {
+        EXPECT_TRUE(names.insert(c.name).second) << c.name;
+        EXPECT_LT(c.low, c.high) << c.name;
+      }
+    }
   }
 }
 

@@ -153,8 +153,9 @@ TEST_F(Layers, AnArcIsFiveLinesThroughLayerTwo) {
       const auto arcs = make_arcs(arcs_settings(controller.name, kSamples, reading), {arm, &stack});
       const ArcOutcome outcome(kFrame, arc_reading(reading));
       const SampledEvaluator evaluator(*arcs->executor(), outcome);
-      Batch batch(kGenomes, controller.genes, 3);
-      batch.genome = Rows::NullaryExpr(kGenomes, controller.genes, [&] { return rng.uniform(); });
+      const auto genes = static_cast<int>(controller.genes(kFrame).size());
+      Batch batch(kGenomes, genes, 3);
+      batch.genome = Rows::NullaryExpr(kGenomes, genes, [&] { return rng.uniform(); });
       std::vector<Found> outcomes;
       std::vector<float> means(kGenomes);
       evaluator.visit(batch.genome, 0, kGenomes, Seed(27),

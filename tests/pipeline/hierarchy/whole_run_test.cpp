@@ -54,7 +54,8 @@ TEST(WholeRun, LinesAndArcsAreTheSameOneByOne) {
     agree(make_lines(lines_settings(samples), {arm, &points})->evaluator(),
           NaiveLineEvaluator(hierarchy, samples), 2, 100, samples);
     agree(make_arcs(arcs_settings("lines", samples), {arm, &lines})->evaluator(),
-          NaiveArcEvaluator(hierarchy, controller, samples), controller.genes, 100, samples);
+          NaiveArcEvaluator(hierarchy, controller, samples),
+          static_cast<int>(controller.genes(kFrame).size()), 100, samples);
   }
 }
 
