@@ -35,10 +35,15 @@ class Hdf5Writer {
   void write(const std::string& name, const Array<T>& array) {
     write(name, array.shape, array.values.data());
   }
-  // Attributes of the file's root; a string may be long.
-  void attribute(const std::string& name, const std::string& value);
-  void attribute(const std::string& name, double value);
-  void attribute(const std::string& name, std::int64_t value);
+  // Attributes of the file's root, or of the array `of`; a string may be long, a list empty.
+  void attribute(const std::string& name, const std::string& value, const std::string& of = "/");
+  void attribute(const std::string& name, double value, const std::string& of = "/");
+  void attribute(const std::string& name, std::int64_t value, const std::string& of = "/");
+  void attribute(const std::string& name, const std::vector<std::string>& values,
+                 const std::string& of = "/");
+  void attribute(const std::string& name, const std::vector<double>& values, const std::string& of = "/");
+  void attribute(const std::string& name, const std::vector<std::int64_t>& values,
+                 const std::string& of = "/");
   // Flushes and closes; throws InputError where that fails (a full disk). The destructor closes without a
   // word.
   void close();

@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/hdf5_handle.h"
@@ -85,11 +86,13 @@ struct Hdf5Writer::File {
       check(made.valid(), group);
     }
   }
-  template <class T>
-  void attribute(const std::string& name, const T* value, hid_t type, hid_t memory_type) const {
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Hdf5Handle made(H5Acreate2(id, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    check(made.valid() && H5Awrite(made, memory_type, value) >= 0, name);
+  // One value, or a list of `count`.
+  void attribute(const std::string& of, const std::string& name, std::optional<hsize_t> count,
+                 const void* values, hid_t type) const {
+    const Hdf5Handle object(H5Oopen(id, of.c_str(), H5P_DEFAULT), H5Oclose);
+    const Hdf5Handle space(count ? H5Screate_simple(1, &*count, nullptr) : H5Screate(H5S_SCALAR), H5Sclose);
+    const Hdf5Handle made(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    check(made.valid() && (count == 0 || H5Awrite(made, type, values) >= 0), of + ": " + name);
   }
 };
 
@@ -144,18 +147,34 @@ template void Hdf5Writer::write(const std::string&, const std::vector<std::size_
 template void Hdf5Writer::write(const std::string&, const std::vector<std::size_t>&, const std::int32_t*);
 template void Hdf5Writer::write(const std::string&, const std::vector<std::size_t>&, const std::int64_t*);
 
-void Hdf5Writer::attribute(const std::string& name, const std::string& value) {
-  const Hdf5Handle type = hdf5_text_type();
+void Hdf5Writer::attribute(const std::string& name, const std::string& value, const std::string& of) {
   const char* text = value.c_str();
-  file_->attribute(name, &text, type, type);
+  file_->attribute(of, name, std::nullopt, &text, hdf5_text_type());
 }
 
-void Hdf5Writer::attribute(const std::string& name, double value) {
-  file_->attribute(name, &value, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE);
+void Hdf5Writer::attribute(const std::string& name, double value, const std::string& of) {
+  file_->attribute(of, name, std::nullopt, &value, hdf5_type<double>());
 }
 
-void Hdf5Writer::attribute(const std::string& name, std::int64_t value) {
-  file_->attribute(name, &value, H5T_STD_I64LE, H5T_NATIVE_INT64);
+void Hdf5Writer::attribute(const std::string& name, std::int64_t value, const std::string& of) {
+  file_->attribute(of, name, std::nullopt, &value, hdf5_type<std::int64_t>());
+}
+
+void Hdf5Writer::attribute(const std::string& name, const std::vector<std::string>& values,
+                           const std::string& of) {
+  std::vector<const char*> texts;
+  for (const std::string& value : values) texts.push_back(value.c_str());
+  file_->attribute(of, name, texts.size(), texts.data(), hdf5_text_type());
+}
+
+void Hdf5Writer::attribute(const std::string& name, const std::vector<double>& values,
+                           const std::string& of) {
+  file_->attribute(of, name, values.size(), values.data(), hdf5_type<double>());
+}
+
+void Hdf5Writer::attribute(const std::string& name, const std::vector<std::int64_t>& values,
+                           const std::string& of) {
+  file_->attribute(of, name, values.size(), values.data(), hdf5_type<std::int64_t>());
 }
 
 void Hdf5Writer::close() {

@@ -1,6 +1,7 @@
 #include "pipeline/artifact/stage.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/json_file.h"
@@ -13,10 +14,25 @@
 namespace hbr {
 namespace {
 
-// One attribute for each value of a table, a list as JSON.
+// A list of numbers or of texts as such, any other as JSON.
+void write_list(Hdf5Writer& file, const std::string& name, const nlohmann::json& list) {
+  const auto all = [&](auto is) { return std::ranges::all_of(list, is); };
+  if (all([](const auto& value) { return value.is_number_integer(); }) && !list.empty())
+    file.attribute(name, list.get<std::vector<std::int64_t>>());
+  else if (all([](const auto& value) { return value.is_number(); }))
+    file.attribute(name, list.get<std::vector<double>>());
+  else if (all([](const auto& value) { return value.is_string(); }))
+    file.attribute(name, list.get<std::vector<std::string>>());
+  else
+    file.attribute(name, list.dump());
+}
+
+// One attribute for each value of a table.
 void write_values(Hdf5Writer& file, const std::string& name, const nlohmann::json& value) {
   if (value.is_object())
     for (const auto& [key, inner] : value.items()) write_values(file, name + "." + key, inner);
+  else if (value.is_array())
+    write_list(file, name, value);
   else if (value.is_number_float())
     file.attribute(name, value.get<double>());
   else if (value.is_boolean())

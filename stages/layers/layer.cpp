@@ -4,6 +4,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/layers.h"
 #include "stages/layers/body.h"
+#include "stages/layers/description.h"
 #include "stages/layers/evolve.h"
 #include "stages/layers/images.h"
 #include "stages/layers/read_stack.h"
@@ -47,16 +48,17 @@ void run(StageRun& stage) {
   const auto variation = make_variation(model->genome(), s.search);
   const Seed seed = seed_of(stage, s);
   const DescriptorRange range{model->low(), model->high()};
-  const auto images = [&](Hdf5Writer& file, const Elites& elites) {
+  const auto more = [&](Hdf5Writer& file, const Elites& elites) {
+    write_description(file, *model);
     if (model->images() == 0) return;
     Workers workers(stage.threads());
     write_images(file, *model, elites, workers);
   };
   if (s.more > 0)
     evolve_on(stage, s.search, s.more, read_elites(stage.input("elites")), *variation, model->evaluator(),
-              seed, range, images);
+              seed, range, more);
   else
-    evolve(stage, s.search, *variation, model->evaluator(), seed, range, images);
+    evolve(stage, s.search, *variation, model->evaluator(), seed, range, more);
 }
 
 }  // namespace

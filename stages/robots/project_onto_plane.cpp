@@ -8,6 +8,7 @@
 #include "pipeline/hierarchy/layers/points.h"
 #include "pipeline/qd/places.h"
 #include "stages/layers/body.h"
+#include "stages/layers/description.h"
 
 namespace {
 
@@ -73,7 +74,9 @@ void run(hbr::StageRun& stage) {
 
   hbr::Hdf5Writer file(stage.output());
   hbr::write_elites(file, after, {});
+  hbr::write_description(file, *hbr::make_points(s.layer, {robot}));
   stage.write_settings(file);
+  file.write("before/id", before.id);
   old_errors.write(file, "before");
   new_errors.write(file, "after");
   file.write("arm_points", {static_cast<std::size_t>(arm.size()), 2}, arm.measures.data());

@@ -53,6 +53,8 @@ void write_layer_errors(hbr::Hdf5Writer& file, const TransferSlice& s, hbr::Seed
                      hbr::Side{robot.stack.points(), robot.stack.layer(level)});
   };
   const int lines = arm.level("lines"), arcs = arm.level("arcs");
+  file.write("lines/id", arm.elites[lines].id);
+  file.write("arcs/id", arm.elites[arcs].id);
   const hbr::Rows &of_lines = arm.elites[lines].measures, &of_arcs = arm.elites[arcs].measures;
 
   const auto [arm_lines, robot_lines] = sides(lines);

@@ -74,6 +74,7 @@ void write_arc_fitness(Hdf5Writer& file, const std::string& state, int starts, S
     evaluator.mean_fitness(elites.solution, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end),
                            seed, fitness.data() + begin);
   });
+  file.write(state + "/arc_id", elites.id);
   file.write(state + "/arc_fitness", fitness);
 }
 
@@ -86,6 +87,7 @@ void write_digits(Hdf5Writer& file, const std::string& state, const Elites& digi
   for (std::size_t i = 0; i < at.size(); ++i)
     differences.push_back(image_difference(&arm_images[i * kImagePixels],
                                            &images[static_cast<std::size_t>(at[i]) * kImagePixels]));
+  file.write(state + "/id", digits.id);
   file.write(state + "/image", {n, kImageSide, kImageSide}, images.data());
   file.write(state + "/objective", {n}, digits.objective.data());
   file.write(state + "/good", judge.judge(n, images.data(), workers).good);
@@ -113,6 +115,7 @@ void run(StageRun& stage) {
 
   const Elites& digits = arm.elites.back();
   const Bytes arm_images = draw_all(arm.top(), digits, workers);
+  file.write("arm/id", digits.id);
   file.write("arm/image", {static_cast<std::size_t>(digits.size()), kImageSide, kImageSide},
              arm_images.data());
   const auto write = [&](const char* state, const Elites& elites, const Bytes& images) {

@@ -37,6 +37,7 @@ void run(StageRun& stage) {
       evaluator.mean_fitness(arcs.elites.solution, static_cast<Eigen::Index>(begin),
                              static_cast<Eigen::Index>(end), seed.child(input), &fresh[begin]);
     });
+    file.write(input + "/id", arcs.elites.id);
     file.write(input + "/stored", {fresh.size()}, arcs.elites.objective.data());
     file.write(input + "/fresh", fresh);
   }

@@ -10,14 +10,16 @@ void judge_repertoire(const hbr::Judge& judge, const std::filesystem::path& repe
   const hbr::Hdf5Reader reader(repertoire);
   const auto image = reader.read<std::uint8_t>("image");
   const auto measures = reader.read<float>("measures");
+  const auto id = reader.read<std::int64_t>("id");
   const auto objective = reader.read<float>("objective");
   const std::size_t n = objective.values.size();
   if (image.shape != std::vector<std::size_t>{n, hbr::kImageSide, hbr::kImageSide} ||
-      measures.shape.size() != 2 || measures.shape[0] != n)
+      measures.shape.size() != 2 || measures.shape[0] != n || id.values.size() != n)
     throw hbr::InputError(
-        "{}: image, measures and objective disagree about the number of elites, {}; make it again",
+        "{}: id, image, measures and objective disagree about the number of elites, {}; make it again",
         repertoire.string(), n);
   const hbr::Verdicts verdicts = judge.judge(n, image.values.data(), workers);
+  file.write(name + "/id", id);
   file.write(name + "/image", image);
   file.write(name + "/measures", measures);
   file.write(name + "/objective", objective);

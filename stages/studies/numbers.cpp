@@ -101,6 +101,7 @@ void run(StageRun& stage) {
   Hdf5Writer file(stage.output());
   stage.write_settings(file);
   file.attribute("digits", std::int64_t{digits});
+  file.write("id", elites.id);
   file.write("image", {n, static_cast<std::size_t>(digits), kImageSide, kImageSide}, images.data());
   file.write("value", value);
   file.write("legible", legible);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "pipeline/artifact/run_settings.h"
+#include "pipeline/core/check.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "stages/layers/read_stack.h"
@@ -30,10 +31,13 @@ void run(StageRun& stage) {
   Workers workers(stage.threads());
   Hdf5Writer file(stage.output());
   stage.write_settings(file);
+  std::vector<std::int64_t> id;
   for (const char* name : {"original", "substitute"}) {
     const StackOnBody stack = read_stack(stage, name);
     const LayerModel& arcs = stack.top();
     const Elites& elites = stack.elites.back();
+    HBR_CHECK(id.empty() || id == elites.id, "other arcs over the substitute");
+    id = elites.id;
     const ArcOutcome& outcome = arc_outcome(arcs);
     const SampledEvaluator evaluator(*arcs.executor(), outcome);
     std::vector<float> rows(elites.size() * 3);
@@ -47,6 +51,7 @@ void run(StageRun& stage) {
     });
     file.write(name, {static_cast<std::size_t>(elites.size()), 3}, rows.data());
   }
+  file.write("id", id);
   file.close();
 }
 

@@ -54,6 +54,9 @@ class DataStages : public IdxFolder {
   }
   void write_repertoire(const std::string& name, std::size_t n, std::size_t images) {
     Hdf5Writer file(folder_ / name);
+    std::vector<std::int64_t> id(n);
+    for (std::size_t i = 0; i < n; ++i) id[i] = static_cast<std::int64_t>(7 * i);
+    file.write("id", id);
     file.write("image", {images, 28, 28}, train_.images.data());
     file.write("measures", {n, 2}, std::vector<float>(2 * n, 0.5f).data());
     file.write("objective", std::vector<float>(n, -0.03f));
@@ -77,6 +80,8 @@ TEST_F(DataStages, JudgeTheImagesOfRepertoires) {
   const Outcome outcome = run("digit_verdicts", json::object(), inputs, "digits.h5");
   ASSERT_EQ(outcome.code, 0) << outcome.output;
   const Hdf5Reader digits(folder_ / "digits.h5");
+  EXPECT_EQ(digits.read<std::int64_t>("flat/id").values,
+            Hdf5Reader(folder_ / "flat.h5").read<std::int64_t>("id").values);
   const auto image = digits.read<std::uint8_t>("flat/image");
   EXPECT_EQ(image.shape, (std::vector<std::size_t>{9, 28, 28}));
   EXPECT_TRUE(std::equal(image.values.begin(), image.values.end(), train_.images.begin()));

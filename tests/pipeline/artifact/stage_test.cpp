@@ -109,7 +109,8 @@ TEST(StageCommandLine, AsksForWhatIsMissing) {
 
 TEST_F(Stage, SettingsBecomeAttributes) {
   slice(R"({"stage": "lines", "name": "lines/00", "inputs": {}, "output": "lines/00.h5", "settings":
-            {"seed": 7, "archive": {"spacing": 0.25, "selector": "uniform"}, "links": [1.5, 2], "flat": true}})");
+            {"seed": 7, "archive": {"spacing": 0.25, "selector": "uniform"}, "links": [1.5, 2], "flat": true,
+             "words": ["a", "b"], "tables": [{"x": 1}], "none": []}})");
   const auto [code, text] = main([](StageRun& stage) {
     Hdf5Writer file(stage.output());
     stage.write_settings(file);
@@ -121,7 +122,13 @@ TEST_F(Stage, SettingsBecomeAttributes) {
   EXPECT_EQ(file.number_attribute("settings.seed"), 7);
   EXPECT_EQ(file.number_attribute("settings.archive.spacing"), 0.25);
   EXPECT_EQ(file.text_attribute("settings.archive.selector"), "uniform");
-  EXPECT_EQ(file.text_attribute("settings.links"), "[1.5,2]");
+  // Lists of numbers or of words are arrays, whose values tests/python reads.
+  for (const char* list : {"settings.links", "settings.words", "settings.none"}) {
+    EXPECT_TRUE(file.has_attribute(list));
+    EXPECT_THROW(file.number_attribute(list), InputError) << list;
+    EXPECT_THROW(file.text_attribute(list), InputError) << list;
+  }
+  EXPECT_EQ(file.text_attribute("settings.tables"), R"([{"x":1}])");
   EXPECT_EQ(file.number_attribute("settings.flat"), 1);
   EXPECT_EQ(nlohmann::json::parse(file.text_attribute("settings")).at("archive").at("spacing"), 0.25);
 }
