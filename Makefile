@@ -9,7 +9,7 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 # What a user gives is a text: no $ in it is make's, and recipes find it in their environment as GIVEN_OUT and so on,
 # where no quote in it is the shell's. (Under names of their own: another make that a recipe starts would heed OUT.)
-given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES POSE MNIST_DIR A B
+given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES POSE MNIST_DIR FORMAT STAGE TO A B
 $(foreach name,$(given),$(if $(filter-out undefined default,$(origin $(name))),\
   $(eval override $(name) := $$(value $(name)))))
 
@@ -43,6 +43,9 @@ BENCH ?=
 URDF ?=
 MESHES ?=
 POSE ?=
+FORMAT ?=
+STAGE ?=
+TO ?= $(OUT)/export
 A ?=
 B ?=
 SANITIZER ?= address
@@ -56,7 +59,7 @@ $(foreach name,$(given),$(eval export GIVEN_$(name) = $$($(name))))
 export MNIST_DIR
 
 targets := help deps build data all test bench test-cluster sanitize fuzz mutate coverage format check-format status audit graph reference \
-  verify compare robot install check-targets check-odr check-releases check-bytes clean distclean
+  verify export compare robot install check-targets check-odr check-releases check-bytes clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -74,7 +77,7 @@ $(call refuse_if,$(word 2,$(BUILD)),BUILD is '$(BUILD)': the build folder may ha
 beyond_cmake := ; " \ \#
 $(if $(filter-out help,$(or $(MAKECMDGOALS),help)),$(foreach letter,$(beyond_cmake),\
   $(call refuse_if,$(findstring $(letter),$(CURDIR)),CMake can not build in $(CURDIR): there is a $(letter) in this path)))
-$(foreach name,PROFILE OUT URDF MESHES MNIST_DIR A B,\
+$(foreach name,PROFILE OUT URDF MESHES MNIST_DIR FORMAT STAGE TO A B,\
   $(call refuse_if,$(findstring $(newline),$($(name))),$(name) has a line break in it)\
   $(call refuse_if,$(filter -%,$(firstword $($(name)))),$(name) is '$($(name))': write ./$($(name)))\
   $(call refuse_if,$(filter ~%,$(firstword $($(name)))),$(name) is '$($(name))': the shell did not replace the ~; write $$HOME))
@@ -97,6 +100,8 @@ help:
 	@echo '  make verify          compare the finished run in OUT with reports/reference/NAME, NAME as in the profile'
 	@echo '  make reference       keep the finished run in OUT as that reference'
 	@echo '  make compare A=out/one B=out/other   in what two runs differ, finished or not: OUT/index.html (here out/compare)'
+	@echo '  make export          the repertoires of the run in OUT for FORMAT=pyribs (.csv) or FORMAT=qdax (.npy), below TO'
+	@echo '                       (OUT/export); STAGE=layer4, REP=0: only these'
 	@echo '  Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
 	@echo 'Robots'
@@ -227,6 +232,10 @@ endif
 compare: build
 	@$(programs)/compare "$$GIVEN_A" "$$GIVEN_B" "$$GIVEN_OUT"
 
+# Repertoires for other programs' readers.
+export: build
+	@$(programs)/export_repertoires "$$GIVEN_OUT" "$$GIVEN_FORMAT" "$$GIVEN_TO" "$$GIVEN_STAGE" "$$GIVEN_REP"
+
 # The search and the layers for other programs: find_package(hbr), see pipeline/hbrConfig.cmake.in.
 PREFIX ?= /usr/local
 install: $(packages) $(BUILD)/release/build.ninja
@@ -244,7 +253,7 @@ robot: $(ready)
 # Tests and checks -----------------------------------------------------------------------------------------------
 
 # run_tests(preset, target, options of CTest): all tests; CTest's summary stands last.
-run_tests = @$(call compile,$(1),$(2)) && ctest --test-dir $(BUILD)/$(1) --output-on-failure --parallel $$(nproc) $(3)
+run_tests = @.ci/packages "$$GIVEN_DEPS" test && $(call compile,$(1),$(2)) && ctest --test-dir $(BUILD)/$(1) --output-on-failure --parallel $$(nproc) $(3)
 
 test: $(packages) $(BUILD)/release/build.ninja
 	$(call run_tests,release,all)

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/drawing/draw.h"
@@ -96,6 +97,56 @@ void expect_strokes_of_the_surest(const fs::path& out) {
   for (const char* made_up : {"made_up.h5", "made_up.json", "drawn.h5"}) fs::remove(out / made_up);
 }
 
+// A run in Python: by h5py alone, as exported for other libraries, and by the lines of the README.
+void expect_python_reads(const fs::path& out) {
+  const std::string bin = HBR_BINARY_DIR "/bin/", exported = (out / "export").string();
+  const std::string tool = bin + "export_repertoires " + out.string() + " ";
+  for (const char* format : {"pyribs", "qdax"}) {
+    const ShellResult outcome = shell(tool + format + " " + exported);
+    ASSERT_EQ(outcome.code, 0) << outcome.text;
+  }
+  const ShellResult read =
+      shell("/usr/bin/python3 " HBR_SOURCE_DIR "/tests/python/read_run.py " + out.string() + " " + exported);
+  EXPECT_EQ(read.code, 0) << read.text;
+  const auto files = [&](const std::string& words) {
+    const fs::path to = out / "some";
+    EXPECT_EQ(shell(tool + "pyribs " + to.string() + " " + words).code, 0);
+    std::set<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(to))
+      if (entry.is_regular_file()) names.insert(entry.path().lexically_relative(to / "pyribs").string());
+    fs::remove_all(to);
+    return names;
+  };
+  EXPECT_THAT(files("layer4"), ElementsAre("layer4/00.csv"));
+  EXPECT_THAT(files("layer2 0"), ElementsAre("layer2_n1/00.csv", "layer2_n10/00.csv", "layer2_n100/00.csv",
+                                             "layer2_n10_short/00.csv"));
+  for (const auto& [words, why] : {std::pair{"csv to", "FORMAT 'csv': expected pyribs"},
+                                   std::pair{"'' to", "FORMAT '': expected pyribs"},
+                                   std::pair{"qdax to layr4", "STAGE 'layr4': no repertoires of it"},
+                                   std::pair{"qdax to layer4 7", "REP 07: no repertoire"},
+                                   std::pair{"qdax to layer4 x", "REP 'x': expected the number"}}) {
+    const ShellResult refused = shell("cd " + out.string() + " && " + tool + words);
+    EXPECT_EQ(refused.code, 2) << words;
+    EXPECT_THAT(refused.text, HasSubstr(why));
+    EXPECT_FALSE(fs::exists(out / "to"));
+  }
+
+  const fs::path place = out / "python";
+  fs::create_directories(place / "out");
+  fs::create_directory_symlink(out, place / "out/reduced");
+  const ShellResult printed = shell("cd " + place.string() +
+                                    " && awk '/^```$/ { in_block = 0 } in_block; /^```python$/ "
+                                    "{ in_block = 1 }' " HBR_SOURCE_DIR "/README.md | /usr/bin/python3 -");
+  EXPECT_EQ(printed.code, 0) << printed.text;
+  const Elites digits = read_elites(out / "layer4/00.h5");
+  Eigen::Index best = 0;
+  digits.objective.maxCoeff(&best);
+  EXPECT_THAT(printed.text, HasSubstr(fmt::format("digit {} ", digits.id[best])));
+  EXPECT_THAT(printed.text, HasSubstr("pen width"));
+  EXPECT_THAT(printed.text, HasSubstr("#"));
+  for (const char* made : {"export", "python"}) fs::remove_all(out / made);
+}
+
 // One test, since all begins with the whole experiment.
 TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   TinyExperiment experiment;
@@ -113,6 +164,7 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   expect_strokes_draw_the_images(experiment.out("one"), experiment.out("one/surest_digits/00.h5"));
   expect_strokes_of_the_surest(experiment.out("one"));
   DescribedFormat().expect(experiment.out("one"));
+  expect_python_reads(experiment.out("one"));
   const RobotArtifacts robots(experiment.out("one"));
   for (const char* robot : {"nao", "industrial"}) {
     SCOPED_TRACE(robot);

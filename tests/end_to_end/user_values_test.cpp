@@ -47,7 +47,7 @@ class UserValues : public testing::Test {
     std::ofstream(checkout_ / "CMakeLists.txt") << "cmake_minimum_required(VERSION 3.25)\n"
                                                    "project(stand_in LANGUAGES NONE)\n"
                                                    "add_custom_target(programs)\nadd_custom_target(robot)\n";
-    for (const char* name : {"hbr", "robot", "reference", "publish", "compare"})
+    for (const char* name : {"hbr", "robot", "reference", "publish", "export_repertoires", "compare"})
       program(checkout_ / "build/release/bin" / name,
               "printf \"<%s>\" ${0##*/} \"$@\" \"MNIST_DIR=${MNIST_DIR-}\" \"OUT=${OUT-none}\"; echo");
   }
@@ -61,7 +61,7 @@ class UserValues : public testing::Test {
                    bool by_environment) {
     std::string words, others;
     for (const char* name : {"OUT", "PROFILE", "BUILD", "LAUNCH", "RETRY", "THREADS", "REP", "MNIST_DIR",
-                             "URDF", "MESHES", "POSE", "A", "B"})
+                             "URDF", "MESHES", "POSE", "FORMAT", "STAGE", "TO", "A", "B"})
       if (!values.contains(name)) others += std::string(" -u ") + name;
     for (const auto& [name, value] : values) {
       given_.push_back((by_environment ? "" : "GIVEN_") + name);
@@ -95,6 +95,12 @@ TEST_F(UserValues, ReachTheProgramsLetterByLetter) {
                             "><MNIST_DIR=" + odd + ">"));
       EXPECT_THAT(make("verify", {{"OUT", odd}}, by_environment).text,
                   HasSubstr("<reference><verify><" + odd + "><reports/reference>"));
+      EXPECT_THAT(
+          make("export", {{"OUT", odd}, {"FORMAT", odd}, {"STAGE", odd}, {"REP", odd}}, by_environment).text,
+          HasSubstr("<export_repertoires><" + odd + "><" + odd + "><" + odd + "/export><" + odd + "><" + odd +
+                    ">"));
+      EXPECT_THAT(make("export", {{"OUT", odd}, {"FORMAT", "qdax"}, {"TO", odd}}, by_environment).text,
+                  HasSubstr("<export_repertoires><" + odd + "><qdax><" + odd + "><><>"));
       EXPECT_THAT(make("compare", {{"A", odd}, {"B", odd}}, by_environment).text,
                   HasSubstr("<compare><" + odd + "><" + odd + "><out/compare>"));
       EXPECT_THAT(make("compare", {{"A", odd}, {"B", odd}, {"OUT", odd}}, by_environment).text,
