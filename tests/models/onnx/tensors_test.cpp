@@ -59,6 +59,14 @@ TEST(OnnxTensors, OfTwoHeadsThatAreOutputsOneIsToBeNamed) {
   expect_network(OnnxDescriptor(two_heads(false), "mine.onnx"), network(), some_images());
 }
 
+// Files of ONNX's first versions list weights among the inputs.
+TEST(OnnxTensors, ThatAreWeightsAreNoInputs) {
+  other::File file = begun();
+  network().encoder(file);
+  network().decoder(file).input("in.weight", {16, 784}).input("code.bias", {2});
+  expect_network(OnnxDescriptor(file.content(), "mine.onnx"), network(), some_images());
+}
+
 // What is named is kept with the network.
 TEST(OnnxTensors, ThatAreNamedStayNamed) {
   const TemporaryFolder folder;
