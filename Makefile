@@ -105,7 +105,8 @@ help:
 	@echo '  Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
 	@echo 'Robots'
-	@echo '  make robot URDF=FILE what a robot is: joints, mass, reach, a picture and a .glb in OUT (here out/robot);'
+	@echo '  make robot URDF=FILE what a robot is: joints, mass, reach, what is odd; in OUT (here out/robot) a .glb and'
+	@echo '                       pictures of it and of what its chains reach (blue near their first joint, red far);'
 	@echo '                       MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
 	@echo
 	@echo 'Building'

@@ -1,11 +1,14 @@
-// robot URDF OUT [FOLDER OF MESHES [JOINT=POSITION...]]: what a robot is, as a table and a picture. No stage:
-// it belongs to no experiment.
+// robot URDF OUT [FOLDER OF MESHES [JOINT=POSITION...]]: what a robot is, as a table and two pictures. No
+// stage: it belongs to no experiment.
 #include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "models/nao/nao_meshes.h"
 #include "models/robot/body/body.h"
+#include "models/robot/body/chain.h"
 #include "models/robot/body/robot_facts.h"
+#include "models/robot/looks/reach_cloud.h"
 #include "models/robot/looks/render.h"
 #include "models/robot/looks/visible_links.h"
 #include "pipeline/artifact/program.h"
@@ -30,12 +33,27 @@ void keep_within_limits(const RobotModel& model, std::map<std::string, double>& 
                         std::vector<std::string>& odd) {
   for (auto& [name, position] : pose) {
     const Joint& joint = model.joints[static_cast<std::size_t>(model.joint(name))];
+    if (joint.kind == Joint::Kind::fixed)
+      throw InputError("POSE: joint '{}' is fixed; expected one that moves", name);
+    if (joint.mimic >= 0)
+      throw InputError("POSE: joint '{}' follows joint '{}'; expected that one", name,
+                       model.joints[joint.mimic].name);
     if (joint.kind == Joint::Kind::continuous) position = std::remainder(position, 2 * M_PI);
     if (position < joint.lower || position > joint.upper)
       odd.push_back(
           fmt::format("joint '{}' can't stand at {}: it moves in [{:.3f}, {:.3f}] and is shown at its limit",
                       name, position, joint.lower, joint.upper));
   }
+}
+
+void make_folder(const std::filesystem::path& out) {
+  std::error_code failed;
+  std::filesystem::create_directories(out, failed);
+  if (failed) throw InputError("{}: can't be made: {}", out.string(), failed.message());
+}
+
+Camera view_of(const Scene& scene) {
+  return camera_for(scene, Eigen::Vector3d(-1, 0.6, -0.25), 0.42, 4. / 5);
 }
 
 Eigen::AlignedBox3d box_of(const Scene& scene) {
@@ -46,12 +64,39 @@ Eigen::AlignedBox3d box_of(const Scene& scene) {
   return box;
 }
 
+// The folder of the meshes: as given; NAO's are no files of the project, they are made.
+std::filesystem::path meshes_in(const std::filesystem::path& given, const std::filesystem::path& urdf,
+                                const std::filesystem::path& out) {
+  std::error_code ignored;
+  if (!given.empty() || !std::filesystem::equivalent(urdf, "models/nao/nao.urdf", ignored)) return given;
+  write_nao_meshes(out / "nao_meshes");
+  return out / "nao_meshes";
+}
+
+// A second picture: the robot in what its chains reach.
+void draw_reach(Scene scene, const std::vector<Chain>& chains, const std::string& file) {
+  constexpr double kPostures = 3e4, kSteps = 3e6;  // of all chains
+  Scene solid = scene;                             // a camera looks at nothing that is seen through
+  Eigen::AlignedBox3d box = box_of(scene);
+  for (const Chain& chain : chains)
+    for (const Eigen::Vector3d& point : reached_points(chain, 100)) box.extend(point);
+  for (const Chain& chain : chains) {
+    const double share = 1. / static_cast<double>(chains.size()),
+                 most = std::min(kPostures, kSteps / static_cast<double>(chain.steps.size()));
+    scene.bodies.push_back(reach_cloud(chain, static_cast<int>(std::ceil(most * share)), box.sizes().norm()));
+    solid.bodies.push_back(scene.bodies.back());
+    for (Mesh& mesh : solid.bodies.back().meshes) mesh.opacity = 1;
+  }
+  write_png(file, render(scene, view_of(solid), 800, 1000));
+}
+
 void describe(const std::filesystem::path& urdf, const std::filesystem::path& out,
               const std::filesystem::path& folder, std::map<std::string, double> pose) {
   const RobotModel model = load_urdf(urdf);
-  std::vector<std::string> odd;
+  std::vector<std::string> odd = model.odd;
   keep_within_limits(model, pose, odd);
-  const auto meshes = visible_links(model, folder, 1, odd);
+  make_folder(out);
+  const auto meshes = visible_links(model, meshes_in(folder, urdf, out), 1, odd);
   const Body body(model, {}, pose);  // stands as it was told
   const auto frames = body.link_poses(Eigen::VectorXd());
   Scene scene;
@@ -66,19 +111,30 @@ void describe(const std::filesystem::path& urdf, const std::filesystem::path& ou
   fmt::print("limits in rad or m, velocity in rad/s or m/s, effort in N m or N\n\nmass    {:.4f} kg\n",
              body.mass());
   fmt::print("height  {:.3f} m as it stands ({:.3f} m deep, {:.3f} m wide)\n", size[2], size[0], size[1]);
-  for (const ChainReach& reach : chain_reaches(model))
-    fmt::print("reach   {:.3f} m from joint '{}' to '{}'\n", reach.metres, reach.joint, reach.link);
+  const std::vector<Chain> chains = chains_of(model);
+  std::size_t steps = 1;
+  for (const Chain& chain : chains) steps += chain.steps.size();
+  const int starts = std::clamp(static_cast<int>(20000 / steps), 1, 30);
+  for (const Chain& chain : chains)
+    fmt::print("reach   {:.3f} m from joint '{}' to '{}'\n", farthest_reach(chain, starts),
+               chain.steps[0].joint->name, chain.link);
   for (const std::string& line : oddities(model, size.norm())) odd.push_back(line);
   for (const std::string& line : odd) fmt::print("odd: {}\n", line);
 
-  std::error_code failed;
-  std::filesystem::create_directories(out, failed);
-  if (failed) throw InputError("{}: can't be made: {}", out.string(), failed.message());
+  std::size_t triangles = 0;
+  for (const auto& link : meshes)
+    for (const Mesh& mesh : link) triangles += mesh.triangles.size();
+  if (triangles > 2000000)
+    fmt::print(stderr, "robot: draws {:.0f} million triangles\n", 1e-6 * static_cast<double>(triangles));
   const std::string stem = (out / urdf.stem()).string();
-  const Camera camera = camera_for(scene, Eigen::Vector3d(-1, 0.6, -0.25), 0.42, 4. / 5);
-  write_png(stem + ".png", render(scene, camera, 800, 1000));
+  write_png(stem + ".png", render(scene, view_of(scene), 800, 1000));
   save_scene(stem + ".glb", "glb2", scene.bodies);
-  fmt::print("{0}.png, {0}.glb\n", stem);
+  if (chains.empty()) {
+    fmt::print("{0}.png, {0}.glb\n", stem);
+    return;
+  }
+  draw_reach(std::move(scene), chains, stem + "_reach.png");
+  fmt::print("{0}.png, {0}.glb, {0}_reach.png\n", stem);
 }
 
 }  // namespace

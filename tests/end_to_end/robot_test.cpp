@@ -26,8 +26,9 @@ TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
        {"8 links, 7 joints, of which 6 move", "\nelbow      revolute  upper_arm -> fore_arm",
         "mass    67.5000 kg", "\nheight  ", "\nreach   1.236 m from joint 'turn' to 'pen'"})
     EXPECT_THAT(told.text, HasSubstr(words));
-  for (const auto& [name, magic] :
-       {std::pair("six_joint_arm.png", "\x89PNG"), {"six_joint_arm.glb", "glTF"}}) {
+  for (const auto& [name, magic] : {std::pair("six_joint_arm.png", "\x89PNG"),
+                                    {"six_joint_arm_reach.png", "\x89PNG"},
+                                    {"six_joint_arm.glb", "glTF"}}) {
     std::ifstream file(out / name, std::ios::binary);
     std::string begin(4, ' ');
     file.read(begin.data(), 4);
@@ -43,14 +44,44 @@ TEST_F(RobotProgram, SaysWhatNoJointCanDo) {
   EXPECT_THAT(told.text, testing::Not(HasSubstr("odd: joint \'elbow\'")));
 }
 
+// NAO's meshes are made by a stage, or here.
+TEST_F(RobotProgram, MakesNaosMeshes) {
+  const ShellResult told = robot("models/nao/nao.urdf " + folder_.path().string());
+  EXPECT_EQ(told.code, 0) << told.text;
+  EXPECT_THAT(told.text, testing::Not(HasSubstr("mesh")));
+  EXPECT_GT(fs::file_size(folder_.path() / "nao.glb"), 500000u);  // rods are a hundred thousand
+}
+
+TEST_F(RobotProgram, ShowsWhatIsOdd) {
+  const fs::path urdf = folder_.path() / "odd.urdf";
+  std::ofstream(urdf) << "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\n<robot>\n<link name=\"gr\xfcn\">\n"
+                         "<inertial><mass value=\"1\"/></inertial><visual><geometry><box size=\"1 1 0\"/>"
+                         "</geometry></visual></link>\n<link name=\"b\"/>\n<link name=\"c\"/>\n"
+                         "<joint name=\"j\" type=\"continuous\"><parent link=\"gr\xfcn\"/><child link=\"b\"/>"
+                         "<origin xyz=\"0 0 1\"/></joint>\n"
+                         "<joint name=\"k\" type=\"floating\"><parent link=\"b\"/><child link=\"c\"/></joint>"
+                         "</robot>\n";
+  const ShellResult told = robot(urdf.string() + " " + folder_.path().string());
+  EXPECT_EQ(told.code, 0) << told.text;
+  for (const std::string words :
+       {"odd.urdf:2: <robot> has no name: called 'odd'",
+        "odd.urdf:4: <box> of link 'gr\xc3\xbcn' has the size", "odd.urdf:8: joint 'k' is floating",
+        "links 'gr\xc3\xbcn', 'b': principal moments of inertia 0, 0, 0 kg m^2"})
+    EXPECT_THAT(told.text, HasSubstr(words));
+}
+
 TEST_F(RobotProgram, RefusesInOneLine) {
-  const std::string out = folder_.path().string(), arm = "models/industrial/six_joint_arm.urdf ";
-  for (const auto& [arguments, words] : {std::pair("\"\" " + out, "expected a URDF and a folder"),
-                                         {"none.urdf " + out, "none.urdf: can"},
-                                         {arm + out + " \"\" elbow=much", "expected JOINT=POSITION"},
-                                         {arm + out + " \"\" knee=1", "no joint"},
-                                         {arm + out + " \"\" elbow=1 elbow=2", "its joint is given twice"},
-                                         {arm + "/proc/no", "/proc/no: can"}}) {
+  const std::string out = folder_.path().string(), arm = "models/industrial/six_joint_arm.urdf ",
+                    nao = "models/nao/nao.urdf ";
+  for (const auto& [arguments, words] :
+       {std::pair("\"\" " + out, "expected a URDF and a folder"),
+        {"none.urdf " + out, "none.urdf: can"},
+        {arm + out + " \"\" elbow=much", "expected JOINT=POSITION"},
+        {arm + out + " \"\" knee=1", "no joint"},
+        {arm + out + " \"\" elbow=1 elbow=2", "its joint is given twice"},
+        {arm + out + " \"\" pen_mount=1", "joint 'pen_mount' is fixed"},
+        {nao + out + " \"\" RHipYawPitch=.1", "follows joint 'LHipYawPitch'"},
+        {arm + "/proc/no", "/proc/no: can"}}) {
     const ShellResult told = robot(arguments + " 2>&1 >/dev/null");
     EXPECT_EQ(told.code, 2) << told.text;
     EXPECT_THAT(told.text, HasSubstr(words));

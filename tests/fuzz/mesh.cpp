@@ -37,7 +37,7 @@ void read(const std::string& bytes) {
   }
   const auto format = static_cast<unsigned char>(bytes[0]) % std::size(kFormats);
   const std::filesystem::path path = written(kFormats[format].second, bytes.substr(1));
-  RobotModel model{"", folder() / "robot.urdf", {Link{"a", {}, {}}}, {}};
+  RobotModel model{"", folder() / "robot.urdf", {Link{"a", {}, {}}}, {}, {}};
   model.links[0].visuals.push_back(
       {Visual::Kind::mesh, Eigen::Isometry3d::Identity(), path.string(), {1, 1, 1}, {}});
   mesh_files(model, "");

@@ -1,5 +1,6 @@
 // A robot: its URDF, up to the body that it makes.
 #include "models/robot/body/body.h"
+#include "models/robot/body/chain.h"
 #include "models/robot/body/robot_facts.h"
 #include "tests/fuzz/fuzz.h"
 
@@ -23,12 +24,25 @@ std::vector<std::string> examples() {
 <limit lower="-1" upper="1" effort="5" velocity="2"/><mimic joint="pan" multiplier="2" offset=".1"/></joint>
 </robot>
 )";
-  return {arm, content_of_file(HBR_SOURCE_DIR "/models/industrial/six_joint_arm.urdf")};
+  const std::string odd = R"(<?xml version="1.0" encoding="ISO-8859-1"?>
+<robot><link name="a"><inertial><mass value="-1"/></inertial><visual><geometry><box size="0 1 1"/></geometry>
+<material name="m"><color rgba="200 0 0 1"/></material></visual>
+<collision><geometry><capsule radius="1" length="1"/></geometry></collision></link>
+<link name="b"><visual><geometry><capsule radius="1" length="1"/></geometry></visual></link><link name="c"/><link name="d"/>
+<joint name="i" type="floating"><parent link="a"/><child link="b"/></joint>
+<joint name="j" type="revolute"><parent link="b"/><child link="c"/><limit lower="1" upper="-1"/><mimic joint="k"/></joint>
+<joint name="k" type="continuous"><parent link="c"/><child link="d"/><mimic joint="i" offset="2"/></joint></robot>
+)";
+  return {arm, odd, content_of_file(HBR_SOURCE_DIR "/models/industrial/six_joint_arm.urdf")};
 }
 
 void read(const std::string& bytes) {
   const RobotModel model = load_urdf(written("robot.urdf", bytes));
   joint_table(model);
+  for (const Chain& chain : chains_of(model)) {
+    farthest_reach(chain);
+    reached_points(chain, 3);
+  }
   oddities(model, 1);
   const Body body(model, model.independent_joints());
   body.link_poses(body.posture({}));

@@ -9,20 +9,12 @@
 namespace hbr {
 namespace {
 
-// What keeps the parts from moving by forces, but for the one that stands still. Throws InputError where one
-// has no mass at all.
+// What keeps the parts from moving by forces, but for the one that stands still.
 std::string impossible(const RobotModel& model, const Parts& parts, int ground) {
   for (int p = 0; p < static_cast<int>(parts.parts.size()); ++p) {
     const Part& part = parts.parts[p];
-    if (part.parent >= 0 && !(part.mass > 0))
-      throw InputError("{}: what joint '{}' moves has no mass; give link '{}' an <inertial>",
-                       model.path.string(), model.joints[part.joint].name,
-                       model.links[model.joints[part.joint].child].name);
-  }
-  for (int p = 0; p < static_cast<int>(parts.parts.size()); ++p) {
-    const Part& part = parts.parts[p];
     // A root without mass moves with what hangs on it.
-    if (p == ground || !(part.mass > 0) || part.fault.kind <= MassFault::Kind::rounded) continue;
+    if (p == ground || part.fault.kind <= MassFault::Kind::rounded || (p == 0 && !(part.mass > 0))) continue;
     const int link = part.joint < 0 ? 0 : model.joints[part.joint].child;
     return fmt::format("{}: link '{}' and what is fixed to it: {}; it can draw, but has no dynamics",
                        model.path.string(), model.links[link].name, part.fault.why);

@@ -24,8 +24,8 @@ class Body {
  public:
   // `moving` names the joints that are coordinates, in this order; they may not be fixed or follow another.
   // Joints that follow one of them move with it. Every other joint is locked where `rest` says (rad or m), at
-  // 0 without a word there, brought within its limits. Throws InputError for unknown or unfit joints and for
-  // a part that would move without mass. The link `ground` stands still, where it is in the posture `rest`;
+  // 0 without a word there, brought within its limits. Throws InputError for unknown or unfit joints. The
+  // link `ground` stands still, where it is in the posture `rest`;
   // "": the root link.
   Body(RobotModel model, std::vector<std::string> moving, const std::map<std::string, double>& rest = {},
        const std::string& ground = "");

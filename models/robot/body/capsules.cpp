@@ -24,6 +24,8 @@ Eigen::Vector3d edges_of(const Visual& visual) {
       return visual.size;
     case Visual::Kind::cylinder:
       return {2 * visual.size[0], 2 * visual.size[0], visual.size[2]};
+    case Visual::Kind::capsule:
+      return {2 * visual.size[0], 2 * visual.size[0], visual.size[2] + 2 * visual.size[0]};
     default:  // a sphere
       return Eigen::Vector3d::Constant(2 * visual.size[0]);
   }

@@ -11,16 +11,8 @@ namespace hbr {
 // One row for each joint: name, type, links, axis, limits, velocity, effort, what it follows.
 std::string joint_table(const RobotModel& model);
 
-// How far the end of a chain (a link without children) can get from the first joint that moves it, within the
-// limits. By sampling and climbing: never more than what is possible, and rarely less.
-struct ChainReach {
-  std::string link, joint;
-  double metres;
-};
-std::vector<ChainReach> chain_reaches(const RobotModel& model);
-
-// What is allowed and seldom meant: joints that can't move or stand at 0, masses where nothing weighs,
-// inertias of bodies of another size, lengths in another unit. `size` is the whole robot's, m.
+// What is allowed and seldom meant: joints that can't move or stand at 0, inertias of bodies of another size,
+// lengths in another unit. `size` is the whole robot's, m.
 std::vector<std::string> oddities(const RobotModel& model, double size);
 
 }  // namespace hbr

@@ -17,23 +17,65 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-// The name without "scheme://".
-std::string path_part(const std::string& name) {
+// The name without "scheme://", as a path of this system.
+fs::path path_part(std::string name) {
+  std::ranges::replace(name, '\\', '/');
   const std::size_t scheme = name.find("://");
   return scheme == std::string::npos ? name : name.substr(scheme + 3);
 }
 
+// "a/b/c", "b/c" and "c".
+std::vector<fs::path> tails(const fs::path& path) {
+  std::vector<fs::path> result;
+  for (auto part = path.end(); part != path.begin();) {
+    if (*--part == "/") break;
+    result.insert(result.begin(), result.empty() ? *part : *part / result.front());
+  }
+  return result;
+}
+
+std::vector<fs::path> folders_in(const fs::path& folder) {
+  std::vector<fs::path> result;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored))
+    if (entry.is_directory(ignored)) result.push_back(entry.path());
+  std::ranges::sort(result);
+  return result;
+}
+
 // A file below `folder` whose end is the end of `name`: as much of it as possible, then with other endings.
 fs::path below(const fs::path& folder, const fs::path& name) {
-  std::vector<fs::path> parts(name.begin(), name.end());
-  for (std::size_t first = 0; first < parts.size(); ++first) {
-    fs::path path = folder;
-    for (std::size_t i = first; i < parts.size(); ++i)
-      if (parts[i] != "/") path /= parts[i];
-    if (is_file(path)) return path;
-  }
+  for (const fs::path& tail : tails(name))
+    if (is_file(folder / tail)) return folder / tail;
   for (const char* ending : {".obj", ".dae", ".glb", ".gltf", ".stl", ".STL", ".ply"})
     if (const fs::path path = folder / (name.stem().string() + ending); is_file(path)) return path;
+  return {};
+}
+
+// `name` with one folder more somewhere on its way from `folder` on.
+fs::path one_deeper(const fs::path& folder, const fs::path& name) {
+  fs::path reached = folder;
+  for (const fs::path& rest : tails(name)) {
+    for (const fs::path& inner : folders_in(reached))
+      if (is_file(inner / rest)) return inner / rest;
+    reached /= *rest.begin();
+  }
+  return {};
+}
+
+// Near the URDF, though not where its name says.
+fs::path near(const fs::path& urdf, const fs::path& name) {
+  std::vector<fs::path> above{fs::absolute(urdf).parent_path()};
+  for (int level = 0; level < 3 && above.back().has_relative_path(); ++level)
+    above.push_back(above.back().parent_path());
+  const std::vector<fs::path> ends = tails(name);
+  for (const fs::path& end : ends)
+    for (const fs::path& folder : above)
+      if (is_file(folder / end)) return folder / end;
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, ends.size());
+       ++i)  // with the package's name, and without
+    for (const fs::path& folder : above)
+      if (const fs::path found = one_deeper(folder, ends[i]); !found.empty()) return found;
   return {};
 }
 
@@ -60,24 +102,24 @@ std::vector<fs::path> named_by(const fs::path& mesh) {
 
 }  // namespace
 
-fs::path find_mesh(const std::string& name, const fs::path& urdf, const fs::path& folder) {
+FoundMesh find_mesh(const std::string& name, const fs::path& urdf, const fs::path& folder) {
   const fs::path path = path_part(name);
   if (!folder.empty()) {
-    if (const fs::path found = below(folder, path); !found.empty()) return found;
+    if (const fs::path found = below(folder, path); !found.empty()) return {found};
+    for (const fs::path& inner : folders_in(folder))
+      if (const fs::path found = below(inner, path); !found.empty()) return {found, true};
     throw InputError("{}: mesh '{}' is missing below the mesh folder {}", urdf.string(), name,
                      folder.string());
   }
-  if (path.is_absolute()) {
-    if (is_file(path)) return path;
-    throw InputError("{}: mesh '{}' is missing", urdf.string(), name);
-  }
   fs::path above = fs::absolute(urdf).parent_path();
-  if (is_file(above / path)) return above / path;
-  if (name.rfind("package://", 0) == 0)
+  if (is_file(above / path)) return {above / path};  // also where the path is absolute
+  if (name.starts_with("package://"))
     for (; above.has_relative_path(); above = above.parent_path())
-      if (is_file(above.parent_path() / path)) return above.parent_path() / path;
-  throw InputError("{}: mesh '{}' is missing, looked beside the URDF{}; name the folder that holds it",
-                   urdf.string(), name, name.rfind("package://", 0) == 0 ? " and above" : "");
+      if (is_file(above.parent_path() / path)) return {above.parent_path() / path};
+  if (const fs::path found = near(urdf, path); !found.empty()) return {found, true};
+  throw InputError(
+      "{}: mesh '{}' is missing, looked beside the URDF and above; name the folder that holds it",
+      urdf.string(), name);
 }
 
 std::vector<fs::path> mesh_files(const RobotModel& model, const fs::path& folder) {
@@ -90,7 +132,7 @@ std::vector<fs::path> mesh_files(const RobotModel& model, const fs::path& folder
       if (visual.kind != Visual::Kind::mesh) continue;
       fs::path mesh;
       try {
-        mesh = find_mesh(visual.mesh, model.path, folder);
+        mesh = find_mesh(visual.mesh, model.path, folder).path;
       } catch (const InputError&) {
         continue;  // whoever needs it says so
       }

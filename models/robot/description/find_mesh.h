@@ -9,12 +9,18 @@
 
 namespace hbr {
 
+struct FoundMesh {
+  std::filesystem::path path;
+  bool elsewhere = false;  // than where its name says
+};
+
 // The file behind a mesh's name in a URDF: below `folder` where one is given (the name's last parts, or a
 // file of the same stem in another format), else beside the URDF (relative, file://, or package://NAME/...
-// with a folder NAME somewhere above the URDF). Throws InputError, naming what was tried, where there is
-// none.
-std::filesystem::path find_mesh(const std::string& name, const std::filesystem::path& urdf,
-                                const std::filesystem::path& folder);
+// with a folder NAME somewhere above the URDF). Where it is not there, it may be elsewhere: by its last parts
+// near the URDF, for packages are renamed and files moved, or one folder deeper than its name says. Throws
+// InputError, naming what was tried, where there is none.
+FoundMesh find_mesh(const std::string& name, const std::filesystem::path& urdf,
+                    const std::filesystem::path& folder);
 
 // All files that a robot's looks depend on: its meshes, found as above, and what they name themselves (an
 // OBJ's materials, a glTF's buffers), each once, in the order of the links. What is missing is left out.

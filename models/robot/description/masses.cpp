@@ -64,7 +64,7 @@ std::vector<std::string> mass_oddities(const RobotModel& model) {
     if (part.fault.kind == Kind::rounded) {
       if (rounded.empty()) first_rounded = part.fault.why;
       rounded.push_back(name);
-    } else if (part.fault.kind != Kind::none && part.mass > 0) {
+    } else if (part.fault.kind != Kind::none && (p > 0 || part.mass > 0)) {
       if (lopsided.empty()) first_lopsided = part.fault.why;
       lopsided.push_back(name);
     }

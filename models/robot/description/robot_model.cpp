@@ -9,11 +9,10 @@ namespace {
 
 template <class Items>
 int find(const RobotModel& model, const Items& items, const char* what, const std::string& name) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  for (std::size_t i = 0; i < items.size(); ++i)
     if (items[i].name == name) return static_cast<int>(i);
-    names.push_back(items[i].name);
-  }
+  std::vector<std::string> names;
+  for (const auto& item : items) names.push_back(item.name);
   throw InputError("{}: the robot has no {} '{}'; it has: {}", model.path.string(), what, name,
                    fmt::join(names, ", "));
 }

@@ -19,11 +19,13 @@ struct Inertial {
 };
 
 struct Visual {
-  enum class Kind { mesh, box, cylinder, sphere };
+  enum class Kind { mesh, box, cylinder, capsule, sphere };
   Kind kind;
   Eigen::Isometry3d pose;  // in the link's frame
   std::string mesh;        // as written in the URDF
-  Eigen::Vector3d size;  // box: its edges; cylinder: radius, radius, length; sphere: radius; mesh: its scale
+  // Box: its edges; cylinder and capsule: radius, radius, length (of the straight part); sphere: radius;
+  // mesh: its scale, which may mirror; the others are above 0.
+  Eigen::Vector3d size;
   std::optional<Eigen::Vector3f> colour;  // red, green, blue in [0, 1]
 };
 
@@ -44,7 +46,7 @@ struct Joint {
   Eigen::Vector3d axis;      // unit, in the child's frame
   double lower, upper;       // [-pi, pi] for a continuous joint
   double effort, velocity;   // N m or N, rad/s or m/s; 0 where the URDF names none
-  int mimic = -1;            // the joint that it follows: multiplier * position + offset
+  int mimic = -1;            // the joint, moving by itself, that it follows: multiplier * position + offset
   double multiplier = 1, offset = 0;
 
   // The child's frame in the parent's when the joint stands at `position`.
@@ -53,9 +55,10 @@ struct Joint {
 
 struct RobotModel {
   std::string name;
-  std::filesystem::path path;  // of the URDF
-  std::vector<Link> links;     // the root first, parents before children
-  std::vector<Joint> joints;   // joints[i].child == i + 1
+  std::filesystem::path path;    // of the URDF
+  std::vector<Link> links;       // the root first, parents before children
+  std::vector<Joint> joints;     // joints[i].child == i + 1
+  std::vector<std::string> odd;  // lines, with their places, of what was read otherwise than it is written
 
   // Throw InputError, with a list of what there is, for an unknown name.
   int link(const std::string& link_name) const;
@@ -64,11 +67,11 @@ struct RobotModel {
   std::vector<std::string> independent_joints() const;
 };
 
-// Reads and checks a URDF. Throws InputError, with file, line where it is known, what was expected and found,
-// for a file that is missing, not XML or without a robot, a joint type other than revolute, continuous,
-// prismatic and fixed, a negative mass, a mass or inertia that is not positive of what a joint moves (links
-// that are fixed to each other count together, see masses.h), limits in the wrong order, links that are not
-// one tree, or a mimic joint that follows nothing.
+// Reads a URDF. Whatever its geometry allows is read: shapes of no size, masses below 0, joints that can't
+// move as they say and the like are left out or read as what they mostly mean, with a line in `odd`. Throws
+// InputError, with file, line, what was expected and found, for a file that is missing, not XML or without a
+// robot, text that is no number, numbers that nothing has, a joint type that no URDF has, links that are not
+// one tree, and joints that follow each other in a loop.
 RobotModel load_urdf(const std::filesystem::path& path);
 
 }  // namespace hbr

@@ -1,5 +1,8 @@
 #include "models/robot/looks/mesh.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace hbr {
 
 void smooth_normals(Mesh& mesh) {
@@ -13,6 +16,25 @@ void smooth_normals(Mesh& mesh) {
     const float length = normal.norm();
     normal = length > 0 ? Eigen::Vector3f(normal / length) : Eigen::Vector3f::UnitZ();
   }
+}
+
+void mend_normals(Mesh& mesh) {
+  const auto is_direction = [](const Eigen::Vector3f& n) { return std::abs(n.squaredNorm() - 1) < 1e-3f; };
+  if (std::ranges::all_of(mesh.normals, is_direction)) return;
+  for (Eigen::Vector3i& t : mesh.triangles) {
+    const Eigen::Vector3f a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+    Eigen::Vector3f across = (b - a).cross(c - a).stableNormalized();
+    if (!is_direction(across)) across = Eigen::Vector3f::UnitZ();  // no area, not to be seen
+    for (int& corner : t) {
+      if (is_direction(mesh.normals[corner])) continue;
+      const Eigen::Vector3f vertex = mesh.vertices[corner];
+      corner = static_cast<int>(mesh.vertices.size());
+      mesh.vertices.push_back(vertex);
+      mesh.normals.push_back(across);
+    }
+  }
+  for (Eigen::Vector3f& normal : mesh.normals)
+    if (!is_direction(normal)) normal = Eigen::Vector3f::UnitZ();  // of no triangle any more
 }
 
 Mesh moved(Mesh mesh, const Eigen::Isometry3d& pose) {

@@ -16,6 +16,9 @@ struct Mesh {
 
 // Vertex normals as the mean of the triangles around, weighted by their areas.
 void smooth_normals(Mesh& mesh);
+// Some programs write normals of length 0: a triangle's corner with one becomes a vertex of its own, whose
+// normal is the triangle's.
+void mend_normals(Mesh& mesh);
 
 Mesh moved(Mesh mesh, const Eigen::Isometry3d& pose);
 Mesh coloured(Mesh mesh, const Eigen::Vector3f& colour);

@@ -39,14 +39,16 @@ Mesh mesh_from(const aiMesh& in, const aiScene& scene, const Eigen::Vector3f& un
   }
   if (in.HasNormals())
     for (unsigned i = 0; i < in.mNumVertices; ++i)
-      mesh.normals.push_back(vector(in.mNormals[i]).normalized());
+      mesh.normals.push_back(vector(in.mNormals[i]).stableNormalized());
   else
     smooth_normals(mesh);
+  mend_normals(mesh);
   mesh.colour = uncoloured;
   aiColor4D colour;
   const aiMaterial& material = *scene.mMaterials[in.mMaterialIndex];
   if (std::string(material.GetName().C_Str()) != AI_DEFAULT_MATERIAL_NAME &&
-      material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS)
+      material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == AI_SUCCESS &&
+      !(colour.IsBlack() && material.GetTextureCount(aiTextureType_DIFFUSE) > 0))  // which would show on it
     mesh.colour = {colour.r, colour.g, colour.b};
   return mesh;
 }
@@ -152,7 +154,7 @@ std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale
                          path.string(), vertex.norm(), kLargest);
     }
     for (Eigen::Vector3f& normal : mesh.normals)
-      normal = normal.cwiseQuotient(scale.cast<float>()).normalized();
+      normal = normal.cwiseQuotient(scale.cast<float>()).stableNormalized();
     if (inside_out)
       for (Eigen::Vector3i& t : mesh.triangles) std::swap(t[1], t[2]);
   }
@@ -166,12 +168,13 @@ std::vector<Mesh> visual_meshes(const RobotModel& model, const Link& link, const
     std::vector<Mesh> parts;
     const Eigen::Vector3d& size = visual.size;
     if (visual.kind == Visual::Kind::mesh) {
-      parts = load_meshes(find_mesh(visual.mesh, model.path, folder), scale * size,
+      parts = load_meshes(find_mesh(visual.mesh, model.path, folder).path, scale * size,
                           visual.colour.value_or(Mesh().colour));
     } else {
       if (visual.kind == Visual::Kind::box) parts = {rounded_box(size, 0.05 * size.minCoeff())};
       if (visual.kind == Visual::Kind::cylinder)
         parts = {cylinder(size[0], size[2], 0.05 * std::min(size[0], size[2]))};
+      if (visual.kind == Visual::Kind::capsule) parts = {capsule(size[0], size[2])};
       if (visual.kind == Visual::Kind::sphere) parts = {ellipsoid(size)};
       if (visual.colour) parts[0].colour = *visual.colour;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "models/robot/description/find_mesh.h"
 #include "models/robot/looks/shapes.h"
 #include "pipeline/core/check.h"
 
@@ -26,16 +27,27 @@ std::vector<std::vector<Mesh>> visible_links(const RobotModel& model, const std:
   std::vector<std::vector<Mesh>> meshes(model.links.size());
   std::vector<bool> lost(model.links.size());
   bool any = false;
-  int failed = 0;
+  int failed = 0, elsewhere = 0;
+  std::string first_elsewhere;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     try {
       meshes[i] = visual_meshes(model, model.links[i], folder, scale);
     } catch (const InputError& error) {
       lost[i] = true;
       if (++failed == 1) odd.emplace_back(error.what());
+      continue;
+    }
+    for (const Visual& visual : model.links[i].visuals) {
+      if (visual.kind != Visual::Kind::mesh) continue;
+      const FoundMesh found = find_mesh(visual.mesh, model.path, folder);
+      if (found.elsewhere && ++elsewhere == 1)
+        first_elsewhere = fmt::format("mesh '{}' is not where its name says: taken from {}", visual.mesh,
+                                      found.path.string());
     }
     any = any || !meshes[i].empty();
   }
+  if (elsewhere)
+    odd.push_back(first_elsewhere + (elsewhere > 1 ? fmt::format(" (and {} more)", elsewhere - 1) : ""));
   if (failed > 1) odd.push_back(fmt::format("{} more links whose meshes can't be had", failed - 1));
   if (!any) odd.emplace_back("no link shows anything: drawn as rods between the joints");
   double length = 0;

@@ -70,7 +70,7 @@ TEST(NaoMeshes, AreClosedAndFaceOutwards) {
   for (const Link& link : model.links)
     for (const Visual& visual : link.visuals) {
       ++files;
-      for (const Mesh& mesh : load_meshes(find_mesh(visual.mesh, model.path, folder.path()))) {
+      for (const Mesh& mesh : load_meshes(find_mesh(visual.mesh, model.path, folder.path()).path)) {
         expect_well_formed(mesh, visual.mesh);
         colours.insert({mesh.colour[0], mesh.colour[1], mesh.colour[2]});
       }

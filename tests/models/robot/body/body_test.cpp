@@ -160,7 +160,6 @@ TEST(Body, RefusesJointsItCannotMove) {
   EXPECT_THROW(Body(model, {"f"}), InputError);       // fixed
   EXPECT_THROW(Body(model, {"m"}), InputError);       // mimics
   EXPECT_THROW(Body(model, {"j", "j"}), InputError);  // twice
-  EXPECT_THROW(Body(model, {"n"}), InputError);       // without mass
   EXPECT_THROW(Body(model, {"j"}, {{"k", 0}}), InputError);
   EXPECT_THROW(Body(model, {"j"}, {{"n", NAN}}), InputError);
   EXPECT_NO_THROW(Body(model, {"j"}));

@@ -20,15 +20,52 @@ TEST(FindMesh, LooksBesideAboveAndInTheFolder) {
   folder.write("pack/meshes/c.obj", "");
   folder.write("mine/d.dae", "");
   folder.write("mine/meshes/e.obj", "");
-  EXPECT_EQ(find_mesh("meshes/b.obj", urdf, ""), at / "pack/urdf/meshes/b.obj");
-  EXPECT_EQ(find_mesh("package://pack/meshes/c.obj", urdf, ""), at / "pack/meshes/c.obj");
-  EXPECT_EQ(find_mesh("file://" + (at / "pack/meshes/c.obj").string(), urdf, ""), at / "pack/meshes/c.obj");
-  EXPECT_EQ(find_mesh("package://other/meshes/e.obj", urdf, at / "mine"), at / "mine/meshes/e.obj");
-  EXPECT_EQ(find_mesh("meshes/d.obj", urdf, at / "mine"), at / "mine/d.dae");
-  EXPECT_THROW(find_mesh("meshes/c.obj", urdf, ""), InputError);
+  const auto found = [&](const std::string& name, const std::filesystem::path& given = "") {
+    const FoundMesh mesh = find_mesh(name, urdf, given);
+    EXPECT_FALSE(mesh.elsewhere) << name;
+    return mesh.path;
+  };
+  EXPECT_EQ(found("meshes/b.obj"), at / "pack/urdf/meshes/b.obj");
+  EXPECT_EQ(found("meshes\\b.obj"), at / "pack/urdf/meshes/b.obj");
+  EXPECT_EQ(found("package://pack/meshes/c.obj"), at / "pack/meshes/c.obj");
+  EXPECT_EQ(found("file://" + (at / "pack/meshes/c.obj").string()), at / "pack/meshes/c.obj");
+  EXPECT_EQ(found("package://other/meshes/e.obj", at / "mine"), at / "mine/meshes/e.obj");
+  EXPECT_EQ(found("/other/meshes/e.obj", at / "mine"), at / "mine/meshes/e.obj");
+  EXPECT_EQ(found("meshes/d.obj", at / "mine"), at / "mine/d.dae");
   EXPECT_THROW(find_mesh("package://pack/meshes/z.obj", urdf, ""), InputError);
   EXPECT_THROW(find_mesh("meshes/b.obj", urdf, at / "mine"), InputError);
   EXPECT_THROW(find_mesh("/z.obj", urdf, ""), InputError);
+  EXPECT_THROW(find_mesh("", urdf, ""), InputError);
+  EXPECT_THROW(find_mesh("..", urdf, ""), InputError);
+}
+
+TEST(FindMesh, FindsWhatWasMovedAndSaysSo) {
+  const TestFolder folder;
+  const auto& at = folder.path();
+  const auto urdf = at / "pack/urdf/a.urdf";
+  for (const char* inner : {"pack/urdf", "pack/meshes/visual", "pack/inner/meshes", "mine/deep/meshes"})
+    std::filesystem::create_directories(at / inner);
+  folder.write("pack/meshes/a.obj", "");
+  folder.write("pack/meshes/visual/b.obj", "");
+  folder.write("pack/inner/meshes/c.obj", "");
+  folder.write("mine/deep/meshes/d.obj", "");
+  for (const auto& [name, given, expected] :
+       {std::tuple("package://renamed/meshes/a.obj", "", "pack/meshes/a.obj"),
+        {"meshes/a.obj", "", "pack/meshes/a.obj"},
+        {"file:///home/maker/pack/meshes/a.obj", "", "pack/meshes/a.obj"},
+        {"package://pack/meshes/b.obj", "", "pack/meshes/visual/b.obj"},
+        {"package://renamed/meshes/b.obj", "", "pack/meshes/visual/b.obj"},
+        {"package://pack/meshes/c.obj", "", "pack/inner/meshes/c.obj"},
+        {"package://pack/meshes/d.obj", "mine", "mine/deep/meshes/d.obj"}}) {
+    const FoundMesh found = find_mesh(name, urdf, *given ? at / given : "");
+    EXPECT_EQ(found.path, at / expected) << name;
+    EXPECT_TRUE(found.elsewhere) << name;
+  }
+  // What is where its name says goes before all else.
+  std::filesystem::create_directories(at / "pack/urdf/meshes");
+  folder.write("pack/urdf/meshes/a.obj", "");
+  EXPECT_EQ(find_mesh("meshes/a.obj", urdf, "").path, at / "pack/urdf/meshes/a.obj");
+  EXPECT_FALSE(find_mesh("meshes/a.obj", urdf, "").elsewhere);
 }
 
 TEST(MeshFiles, AreAllThatARobotLooksLike) {

@@ -98,6 +98,13 @@ TEST(Masses, OfNoBodyCanDrawAndHaveNoDynamics) {
               HasSubstr("link 'b' and what is fixed to it: principal moments of inertia 1, 1, 2.5"));
   EXPECT_EQ(why(Body(lopsided, {"j"}, {}, "b")), "no complaint");  // stands still itself
 
+  // Nor has what has no mass at all.
+  const RobotModel light = with("");
+  EXPECT_THAT(mass_oddities(light),
+              ElementsAre(HasSubstr("links 'b': the mass is 0 kg; expected more than 0; they")));
+  EXPECT_EQ(Body(light, {"j"}).link_poses(Eigen::VectorXd::Zero(1)).size(), 3u);
+  EXPECT_THAT(why(Body(light, {"j"})), HasSubstr("link 'b' and what is fixed to it: the mass is 0 kg"));
+
   // The root stands still, unless another link does.
   const RobotModel root =
       load(link("a", inertial("1", moments(-1, 1, 1))) + link("b") + joint("j", "a", "b"));

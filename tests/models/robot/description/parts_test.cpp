@@ -37,7 +37,7 @@ TEST(Parts, FixedAndLockedLinksAddUp) {
   const auto point = [&] {
     return Eigen::Vector3d(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
   };
-  RobotModel model{"test", "test.urdf", {}, {}};
+  RobotModel model{"test", "test.urdf", {}, {}, {}};
   std::vector<std::vector<Point>> clouds(4);
   const Joint::Kind kinds[] = {Joint::Kind::revolute, Joint::Kind::fixed, Joint::Kind::prismatic};
   for (int i = 0; i < 4; ++i) {

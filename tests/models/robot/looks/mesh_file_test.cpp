@@ -109,6 +109,26 @@ std::string stl(std::uint32_t count, const std::vector<std::array<float, 12>>& t
   return text;
 }
 
+// A cube with its faces' normals, or with normals of length 0.
+std::string cube_stl(bool normals) {
+  std::vector<std::array<float, 12>> triangles;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.f, 1.f}) {
+      const Eigen::Vector3f n = side * Eigen::Vector3f::Unit(axis), u = Eigen::Vector3f::Unit((axis + 1) % 3),
+                            v = n.cross(u);
+      for (const float half : {-1.f, 1.f}) {
+        const Eigen::Vector3f corners[] = {n + half * (u + v), n + half * (v - u), n - half * (u + v)};
+        std::array<float, 12> t{};
+        for (int i = 0; i < 3; ++i) {
+          t[i] = normals ? n[i] : 0;
+          for (int k = 0; k < 3; ++k) t[3 + 3 * k + i] = corners[k][i];
+        }
+        triangles.push_back(t);
+      }
+    }
+  return stl(static_cast<std::uint32_t>(triangles.size()), triangles);
+}
+
 // A glTF of one triangle: its positions and indices are in `uri`, `bytes` long.
 std::string gltf(const std::string& uri, int bytes, int vertices = 3,
                  const std::string& nodes = "{\"mesh\": 0}") {
@@ -188,6 +208,46 @@ TEST(MeshFile, TakesTheUnitOfADaeAndNotItsUpAxis) {
   }
 }
 
+// Programs that know no normals write those of length 0: then they are the triangles', also after an export.
+TEST(MeshFile, NormalsOfNoLengthAreTheTriangles) {
+  const TestFolder folder;
+  for (const bool normals : {true, false}) {
+    const auto read = load_meshes(folder.write("cube.stl", cube_stl(normals)));
+    EXPECT_NEAR(volume(read), 8, 1e-5);
+    save_scene(folder.path() / "cube.glb", "glb2", {{"cube", read}});
+    for (const auto& meshes : {read, load_meshes(folder.path() / "cube.glb")})
+      for (const Mesh& mesh : meshes)
+        for (const Eigen::Vector3i& t : mesh.triangles) {
+          const Eigen::Vector3f &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
+          for (const int corner : t)
+            EXPECT_LT((mesh.normals[corner] - (b - a).cross(c - a).normalized()).norm(), 1e-5f) << normals;
+        }
+  }
+  // Triangles without area have none, and a direction of some kind.
+  for (const char* name : {"a.stl", "a.obj"}) {
+    const std::string text =
+        std::string(name) == "a.stl"
+            ? stl(2, {{0, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0}, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}})
+            : "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n";
+    for (const Mesh& mesh : load_meshes(folder.write(name, text)))
+      for (const Eigen::Vector3f& normal : mesh.normals) EXPECT_NEAR(normal.norm(), 1, 1e-5) << name;
+  }
+}
+
+// A texture is not drawn; what it covers is often said to be black.
+TEST(MeshFile, BlackUnderATextureIsNoColour) {
+  const TestFolder folder;
+  const std::string obj = "mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const Eigen::Vector3f ours(.1f, .2f, .3f);
+  const auto colour = [&](const std::string& material) {
+    folder.write("a.mtl", "newmtl m\n" + material);
+    return load_meshes(folder.write("a.obj", obj), {1, 1, 1}, ours)[0].colour;
+  };
+  EXPECT_EQ(colour("Kd 0 0 0\nmap_Kd wood.png\n"), ours);
+  EXPECT_EQ(colour("Kd 0 0 0\n"), Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(colour("Kd 0 .5 0\nmap_Kd wood.png\n"), Eigen::Vector3f(0, .5f, 0));
+}
+
 TEST(MeshFile, RefusesWhatIsNoMesh) {
   const TestFolder folder;
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -260,11 +320,12 @@ TEST(LinkMeshes, MakeTheShapesOfTheUrdf) {
   };
   const RobotModel model = load_urdf(folder.write(
       "a.urdf", robot(link("a", shape("<box size=\"1 2 3\"/>") + shape("<sphere radius=\"2\"/>") +
-                                    shape("<cylinder radius=\"1\" length=\"4\"/>")))));
+                                    shape("<cylinder radius=\"1\" length=\"4\"/>") +
+                                    shape("<capsule radius=\"1\" length=\"4\"/>")))));
   const auto meshes = link_meshes(model, "", 1);
-  ASSERT_EQ(meshes[0].size(), 3u);
-  const double expected[] = {6, 4 * 3.14159 / 3 * 8, 3.14159 * 4};
-  for (int i = 0; i < 3; ++i) {
+  ASSERT_EQ(meshes[0].size(), 4u);
+  const double expected[] = {6, 4 * 3.14159 / 3 * 8, 3.14159 * 4, 3.14159 * (4 + 4. / 3)};
+  for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(meshes[0][i].colour, Eigen::Vector3f(1, 0, 0));
     EXPECT_NEAR(volume({moved(meshes[0][i], Eigen::Isometry3d(Eigen::Translation3d(-1, -2, -3)))}),
                 expected[i], 0.06 * expected[i]);

@@ -36,5 +36,18 @@ TEST(VisibleLinks, RodsStandForWhatCannotBeSeen) {
   EXPECT_TRUE(sensor[1].empty());
 }
 
+TEST(VisibleLinks, SayOnceWhatWasElsewhere) {
+  const TestFolder folder;
+  std::filesystem::create_directories(folder.path() / "meshes/visual");
+  folder.write("meshes/visual/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const std::string mesh = R"(<visual><geometry><mesh filename="meshes/a.obj"/></geometry></visual>)";
+  const RobotModel model = load_urdf(
+      folder.write("a.urdf", robot(link("a", mesh + mesh) + link("b", mesh) + joint("j", "a", "b"))));
+  std::vector<std::string> odd;
+  EXPECT_EQ(visible_links(model, "", 1, odd)[0].size(), 2u);
+  EXPECT_THAT(odd, ElementsAre(testing::AllOf(HasSubstr("mesh 'meshes/a.obj' is not where its name says"),
+                                              HasSubstr("meshes/visual/a.obj (and 2 more)"))));
+}
+
 }  // namespace
 }  // namespace hbr

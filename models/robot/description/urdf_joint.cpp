@@ -1,0 +1,130 @@
+#include "models/robot/description/urdf_joint.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace hbr {
+namespace {
+
+Joint::Kind kind_of(UrdfText& text, const XMLElement& joint) {
+  static const std::map<std::string, Joint::Kind> kinds = {{"revolute", Joint::Kind::revolute},
+                                                           {"continuous", Joint::Kind::continuous},
+                                                           {"prismatic", Joint::Kind::prismatic},
+                                                           {"fixed", Joint::Kind::fixed}};
+  const char* type = joint.Attribute("type");
+  const std::string written = type ? type : "";
+  if (const auto known = kinds.find(written); known != kinds.end()) return known->second;
+  if (written != "floating" && written != "planar")
+    text.refuse(joint, "has type '{}'; expected revolute, continuous, prismatic or fixed", written);
+  text.odd(joint, "is {}: taken as fixed where it stands at 0", written);
+  return Joint::Kind::fixed;
+}
+
+// Below 0 many write for "none", which is 0 here.
+double strength(UrdfText& text, const XMLElement& joint, const char* attribute, bool needed) {
+  const XMLElement* limit = joint.FirstChildElement("limit");
+  const double value = text.number(limit, attribute, 0, kMostLimit);
+  if (value > 0 || !limit) return value;
+  if (!limit->Attribute(attribute) && needed)
+    text.odd(*limit, "names no {}: taken as no limit", attribute);
+  else if (needed || value < 0)
+    text.odd(*limit, "has {} '{:g}': taken as no limit", attribute, value);
+  return 0;
+}
+
+void read_limits(UrdfText& text, const XMLElement& element, Joint& joint) {
+  const XMLElement* limit = element.FirstChildElement("limit");
+  const bool needed = joint.kind != Joint::Kind::continuous;
+  joint.effort = strength(text, element, "effort", needed);
+  joint.velocity = strength(text, element, "velocity", needed);
+  if (joint.kind == Joint::Kind::continuous) {
+    joint.lower = -std::numbers::pi;
+    joint.upper = std::numbers::pi;
+    return;
+  }
+  if (!limit) text.odd(element, "has no <limit>, which it needs to move: taken as standing at 0");
+  joint.lower = text.number(limit, "lower", 0, kMostLimit);
+  joint.upper = text.number(limit, "upper", 0, kMostLimit);
+  if (joint.lower <= joint.upper) return;
+  text.odd(*limit, "has lower '{:g}' above upper '{:g}': exchanged", joint.lower, joint.upper);
+  std::swap(joint.lower, joint.upper);
+}
+
+// Has a follower follow what moves by itself, or stands still, at the end of the chain of those that it
+// follows.
+void follow_to_the_end(const UrdfText& text, const XMLElement& element, const std::vector<Joint>& joints,
+                       Joint& follower) {
+  std::vector<std::string> way{follower.name};
+  std::set<int> passed;
+  while (follower.mimic >= 0 && joints[follower.mimic].mimic >= 0) {
+    const Joint& leader = joints[follower.mimic];
+    way.push_back(leader.name);
+    if (!passed.insert(follower.mimic).second)
+      text.refuse(element, "never comes to a joint that moves by itself by its <mimic>: '{}' is a loop",
+                  fmt::join(std::ranges::find(way, leader.name), way.end(), "' -> '"));
+    follower.offset += follower.multiplier * leader.offset;
+    follower.multiplier *= leader.multiplier;
+    follower.mimic = leader.mimic;
+  }
+  if (follower.mimic >= 0 && std::max(std::abs(follower.multiplier), std::abs(follower.offset)) > kMostLimit)
+    text.refuse(element, "follows '{}' by multiplier {:g} and offset {:g}; expected both within {:g}",
+                joints[follower.mimic].name, follower.multiplier, follower.offset, kMostLimit);
+}
+
+}  // namespace
+
+Joint read_joint(UrdfText& text, const XMLElement& element) {
+  Joint joint{
+      element.Attribute("name"), kind_of(text, element), 0, 0, text.origin(element), {1, 0, 0}, 0, 0, 0, 0};
+  if (joint.kind == Joint::Kind::fixed) return joint;
+  const XMLElement* axis = element.FirstChildElement("axis");
+  const Eigen::Vector3d direction = text.three(axis, "xyz", {1, 0, 0});
+  if (direction.norm() <= 1e-9) {
+    text.odd(*axis, "is {:g} {:g} {:g}, no direction: the joint is taken as fixed where it stands at 0",
+             direction[0], direction[1], direction[2]);
+    joint.kind = Joint::Kind::fixed;
+    return joint;
+  }
+  joint.axis = direction.normalized();
+  read_limits(text, element, joint);
+  return joint;
+}
+
+void link_mimics(UrdfText& text, const std::vector<const XMLElement*>& elements, std::vector<Joint>& joints) {
+  std::map<std::string, int> index;
+  for (std::size_t i = 0; i < joints.size(); ++i) index[joints[i].name] = static_cast<int>(i);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const XMLElement* mimic = elements[i]->FirstChildElement("mimic");
+    if (!mimic) continue;
+    if (joints[i].kind == Joint::Kind::fixed) {
+      text.odd(*mimic, "is left out: the joint is fixed");
+      continue;
+    }
+    const std::string leader = text.name(*mimic, "joint");
+    const auto found = index.find(leader);
+    if (found == index.end()) {
+      text.odd(*mimic, "names joint '{}', which is not in the file: it moves by itself", leader);
+      continue;
+    }
+    joints[i].mimic = found->second;
+    joints[i].multiplier = text.number(mimic, "multiplier", 1);
+    joints[i].offset = text.number(mimic, "offset", 0);
+  }
+  for (std::size_t i = 0; i < joints.size(); ++i) follow_to_the_end(text, *elements[i], joints, joints[i]);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    Joint& follower = joints[i];
+    if (follower.mimic < 0 || joints[follower.mimic].kind != Joint::Kind::fixed) continue;
+    text.odd(*elements[i], "follows '{}', which is fixed: taken as fixed, too, where it stands at {:g}",
+             joints[follower.mimic].name, follower.offset);
+    follower.origin = follower.motion(follower.offset);
+    follower.kind = Joint::Kind::fixed;
+    follower.mimic = -1;
+  }
+}
+
+}  // namespace hbr
