@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "pipeline/artifact/families.h"
 #include "pipeline/core/check.h"
 #include "pipeline/core/settings.h"
 
@@ -114,34 +115,18 @@ Graph selected(const Graph& graph, const std::vector<std::string>& goals, int re
 
 std::string graph_as_dot(const Graph& graph) {
   std::map<std::string, std::string> target;  // of an output
-  std::map<std::string, int> count;
-  std::set<std::pair<std::string, std::string>> arrows;
+  std::map<std::string, StageBox> boxes;      // of a target
   for (const Node& node : graph) {
     target[node.output] = target_of(node);
-    ++count[target_of(node)];
-    for (const auto& [name, output] : node.inputs) arrows.emplace(target.at(output), target_of(node));
+    StageBox& box = boxes[target_of(node)];
+    box.stage = node.stage;
+    box.variation = node.variation;
+    ++box.runs;
+    for (const auto& [name, output] : node.inputs) box.needs.insert(target.at(output));
   }
-  std::string dot =
-      "digraph experiment {\n"
-      "  rankdir=LR; bgcolor=transparent;\n"
-      "  node [shape=box, style=\"rounded,filled\", fillcolor=\"#f4f4f0\", fontname=\"sans-serif\", "
-      "fontsize=11];\n"
-      "  edge [color=\"#808080\", arrowsize=0.6];\n";
-  std::map<std::string, std::string> boxes;  // of a variation
-  std::set<std::string> seen;
-  for (const Node& node : graph) {
-    const std::string name = target_of(node);
-    if (!seen.insert(name).second) continue;
-    const std::string times = count[name] > 1 ? fmt::format("\\n\u00d7 {}", count[name]) : "";
-    boxes[node.variation] += fmt::format("  \"{}\" [label=\"{}{}\"];\n", name, node.stage, times);
-  }
-  for (const auto& [variation, text] : boxes)
-    dot += variation.empty()
-               ? text
-               : fmt::format("  subgraph \"cluster_{0}\" {{ label=\"{0}\"; color=\"#808080\";\n{1}  }}\n",
-                             variation, text);
-  for (const auto& [from, to] : arrows) dot += fmt::format("  \"{}\" -> \"{}\";\n", from, to);
-  return dot + "}\n";
+  std::vector<StageBox> stages;
+  for (const auto& [name, box] : boxes) stages.push_back(box);
+  return stages_as_dot(stages, {"#808080", "#22262b", "#f4f4f0"});
 }
 
 }  // namespace hbr

@@ -15,7 +15,7 @@ namespace hbr {
 // replication that is not there.
 Graph selected(const Graph& graph, const std::vector<std::string>& goals, int replication);
 
-// The graph as Graphviz text: a box for each stage, its replications counted; a frame for each variation.
+// The graph as Graphviz text (families.h): replications are counted.
 std::string graph_as_dot(const Graph& graph);
 
 }  // namespace hbr

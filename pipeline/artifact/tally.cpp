@@ -6,6 +6,7 @@
 #include <fstream>
 #include <map>
 
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/temporary.h"
 
