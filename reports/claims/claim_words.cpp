@@ -14,10 +14,15 @@ namespace hbr {
 namespace {
 
 // In the unit of what was computed: ratios and chances have none.
-std::string in_unit(const Check& check, const Measured& m, double x) {
-  if (check.kind == "ratio") return format_number(x) + " times";
-  if (check.kind == "a12") return format_number(x);
-  return format_quantity(x, m.of.unit);
+std::string in_unit(const Check& check, const Measured& m, double x, int digits = 3) {
+  if (check.kind == "ratio") return format_number(x, digits) + " times";
+  if (check.kind == "a12") return format_number(x, digits);
+  return format_quantity(x, m.of.unit, digits);
+}
+
+// The end of a range, as it is written in the file of claims.
+std::string end_in_unit(const Check& check, const Measured& m, double x) {
+  return in_unit(check, m, x, exact_digits(x));
 }
 
 std::string figures(const Check& check, const Measured& m) {
@@ -112,15 +117,15 @@ std::string check_asked(const Check& check, const Measured& m) {
   const double low = check.reproduced[0], high = check.reproduced[1];
   std::string range;
   if (check.kind == "difference" && low == -high)
-    range = "at most " + in_unit(check, m, high) + " either way";
+    range = "at most " + end_in_unit(check, m, high) + " either way";
   else if (low == high)
-    range = in_unit(check, m, low);
+    range = end_in_unit(check, m, low);
   else if (std::isinf(high) || (check.kind == "a12" && high == 1))
-    range = "at least " + in_unit(check, m, low);
+    range = "at least " + end_in_unit(check, m, low);
   else if (low == 0)  // what claims are about is never negative
-    range = "at most " + in_unit(check, m, high);
+    range = "at most " + end_in_unit(check, m, high);
   else
-    range = fmt::format("{} to {}", format_number(low), in_unit(check, m, high));
+    range = fmt::format("{} to {}", format_number(low, exact_digits(low)), end_in_unit(check, m, high));
   if (check.kind == "a12") range = "A12 " + range;
   return check.p_below < 1 ? range + fmt::format(" and p < {}", check.p_below) : range;
 }

@@ -50,13 +50,12 @@ std::string verdict_tiles(const nlohmann::json& claims) {
 std::string verdict_filters(const nlohmann::json& claims) {
   std::string html = fmt::format(
       "<div class=\"filters no-print\" role=\"group\" aria-label=\"Show claims by verdict\"><button "
-      "type=\"button\" data-verdict=\"\" aria-pressed=\"true\">all {}</button>",
+      "type=\"button\" value=\"\" aria-pressed=\"true\">all {}</button>",
       claims.size());
   for (const Verdict& verdict : kVerdicts)
     if (const std::size_t n = count(claims, verdict))
-      html +=
-          fmt::format("<button type=\"button\" data-verdict=\"{}\" aria-pressed=\"false\">{} {} {}</button>",
-                      verdict.css, verdict.sign, verdict.name, n);
+      html += fmt::format("<button type=\"button\" value=\"{}\" aria-pressed=\"false\">{} {} {}</button>",
+                          verdict.css, verdict.sign, verdict.name, n);
   return html + "</div>\n";
 }
 

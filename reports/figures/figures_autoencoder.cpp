@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::uint32_t, 10> kClassColours = {0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0xd55e00,
                                                          0x56b4e9, 0x8c6bb1, 0x7a8088, 0x9a7b4f, 0xb5bd00};
 
-std::vector<Panel> learning_panel(const StatisticsView& statistics, Table& table) {
+std::vector<Panel> learning_panel(const StatisticsView& statistics, Tables& tables) {
   BandPlot plot{.x_label = "epoch", .unit = "squared error per pixel", .bands = {}};
   for (const auto& [label, colour, measure] :
        {std::tuple{"test", Colour::blue, "test_error"}, std::tuple{"train", Colour::orange, "train_error"}}) {
@@ -27,14 +27,33 @@ std::vector<Panel> learning_panel(const StatisticsView& statistics, Table& table
     if (!band) continue;
     band->label = label;
     band->colour = colour;
-    add_band(table, "Learning", *band);
+    add_band(tables, "Learning", plot.x_label, *band);
     plot.bands.push_back(*band);
   }
   if (plot.bands.empty()) return {};
   return {{"Learning", plot_script(plot, "autoencoder-learning"), 2}};
 }
 
-Panel latent_panel(const Hdf5Reader& file, Table& table) {
+struct ClassLabel {
+  std::size_t digit;
+  double x, y;  // in the drawing
+};
+
+// Those that would cover each other are moved apart until each can be read.
+void spread(std::vector<ClassLabel>& labels) {
+  constexpr double kApart = 19;
+  for (int round = 0; round < 50; ++round)
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const double dx = labels[i].x - labels[k].x, dy = labels[i].y - labels[k].y, d = std::hypot(dx, dy);
+        if (d >= kApart) continue;
+        const double push = (kApart - d) / 2, ux = d > 0 ? dx / d : 1, uy = d > 0 ? dy / d : 0;
+        labels[i].x += push * ux, labels[i].y += push * uy;
+        labels[k].x -= push * ux, labels[k].y -= push * uy;
+      }
+}
+
+Panel latent_panel(const Hdf5Reader& file, Tables& tables) {
   constexpr int kPixels = 800;
   constexpr double kSide = kPlotHeight;
   const auto latent = file.read<float>("latent/position");
@@ -53,28 +72,35 @@ Panel latent_panel(const Hdf5Reader& file, Table& table) {
     cv::circle(dots, {cvRound((x + 1) / 2 * (kPixels - 1)), cvRound((1 - y) / 2 * (kPixels - 1))}, 3,
                cv::Scalar(c & 255, c >> 8 & 255, c >> 16, 200), cv::FILLED, cv::LINE_8);
   }
-  const double width = 400, left = (width - kSide) / 2;
+  const double width = 400, left = (width - kSide) / 2, kEdge = 22;
   std::string body = svg_image(encode_png(dots), left, 0, kSide, kSide, "photo");
-  body += fmt::format("<rect x=\"{}\" y=\"0.5\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"{}\"/>\n",
-                      left, kSide, kSide - 1, hex(Colour::faint));
+  std::vector<ClassLabel> labels;
   for (std::size_t digit = 0; digit < 10; ++digit) {
     if (xs[digit].empty()) continue;
     const double x = summarise(xs[digit], "latent x").median, y = summarise(ys[digit], "latent y").median;
-    table.add("Latent space", std::to_string(digit), 0, "median x", x);
-    table.add("Latent space", std::to_string(digit), 0, "median y", y);
+    tables["classes"].add({{"class", static_cast<double>(digit)}, {"median_x", x}, {"median_y", y}});
+    labels.push_back({digit, left + (x + 1) / 2 * kSide, (1 - y) / 2 * kSide});
+  }
+  spread(labels);
+  for (const ClassLabel& at : labels)
     body += fmt::format(
         "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"9\" fill=\"#ffffff\" fill-opacity=\"0.9\"/><text "
         "x=\"{0:.1f}\" "
         "y=\"{2:.1f}\" font-family=\"sans-serif\" font-size=\"13\" font-weight=\"bold\" "
         "text-anchor=\"middle\" "
         "fill=\"#111111\">{3}</text>\n",
-        left + (x + 1) / 2 * kSide, (1 - y) / 2 * kSide, (1 - y) / 2 * kSide + 4.7, digit);
-  }
-  return {dim > 2 ? "Test images in the first two latent dimensions" : "Test images in the latent space",
-          Drawing{width, kSide, body}, 2};
+        at.x, at.y, at.y + 4.7, at.digit);
+  return {
+      dim > 2 ? "Test images in the first two latent dimensions" : "Test images in the latent space",
+      Drawing{width, kSide + kEdge, body + square_axes(left, 0, kSide),
+              fmt::format(
+                  "A dot for each of {} test images at its latent place, coloured by class; the number of "
+                  "each class stands at its median.",
+                  label.size())},
+      2};
 }
 
-std::vector<Panel> kept_panel(const StatisticsView& statistics, Table& table) {
+std::vector<Panel> kept_panel(const StatisticsView& statistics, Tables& tables) {
   BarPlot plot{
       .unit = "% of the class", .x_label = "class", .groups = {}, .series = {{"", Colour::blue, {}}}};
   for (int digit = 0; digit < 10; ++digit) {
@@ -82,7 +108,7 @@ std::vector<Panel> kept_panel(const StatisticsView& statistics, Table& table) {
     if (kept.empty()) return {};
     plot.groups.push_back(std::to_string(digit));
     plot.series[0].values.push_back(100 * summarise(kept, "kept_of_class").median);
-    table.add("Kept by the cut", plot.groups.back(), digit, "% of the class", plot.series[0].values.back());
+    tables["kept"].add({{"class", static_cast<double>(digit)}, {"percent", plot.series[0].values.back()}});
   }
   return {{"Training images kept by the cut", plot_script(plot, "autoencoder-kept"), 2}};
 }
@@ -109,25 +135,28 @@ Panel reconstruction_panel(const Hdf5Reader& file) {
   std::string body = sheet.svg_image(kEdge, 0, kWidth - kEdge, 2 * cell);
   body += svg_text("written", 0, 0.5 * cell + 5, 16, Colour::grey, Align::left);
   body += svg_text("decoded", 0, 1.5 * cell + 5, 16, Colour::grey, Align::left);
-  return {"Test images and what the network makes of them", Drawing{kWidth, 2 * cell, body}, 6};
+  return {"Test images and what the network makes of them",
+          Drawing{kWidth, 2 * cell, body,
+                  fmt::format(
+                      "{} test images, and below each what the network decodes from its latent place.", n)},
+          6};
 }
 
 }  // namespace
 
 Figure autoencoder_figure(const Evidence& evidence) {
-  Figure figure{.id = "autoencoder", .title = "The learned descriptor (the paper’s Fig. 2, bottom)."};
+  Figure figure{.id = "autoencoder", .title = "The learned descriptor (the paper’s Fig. 2, bottom)"};
   figure.caption =
-      "Median and quartiles of the squared error over replications; the share of each class that the cut of "
-      "the "
-      "training set keeps; test images of the first replication at their latent places, the digit standing "
-      "at the "
-      "median of its class; twenty of them, written and decoded.";
+      "a: median and quartiles of the squared error over the replications. b: test images of the first "
+      "replication at their latent places; each digit stands at the median of its class. c: the share of "
+      "each "
+      "class that the cut of the training set keeps. d: twenty test images, written and decoded.";
   auto files = evidence.artifacts.replications("autoencoder");
   if (const std::string other = "descriptor.h5"; files.empty() && evidence.artifacts.has(other)) {
     files.push_back(evidence.artifacts.path(other));
-    figure.title = "The descriptor in place of the paper’s autoencoder.";
+    figure.title = "The descriptor in place of the paper’s autoencoder";
     figure.caption =
-        "Test images at their places, the digit standing at the median of its class; twenty of them, "
+        "a: test images at their places; each digit stands at the median of its class. b: twenty of them, "
         "written and decoded.";
   }
   if (files.empty()) {
@@ -135,9 +164,9 @@ Figure autoencoder_figure(const Evidence& evidence) {
     return figure;
   }
   const Hdf5Reader first(files[0]);
-  figure.panels = learning_panel(evidence.statistics, figure.table);
-  figure.panels.push_back(latent_panel(first, figure.table));
-  for (Panel& panel : kept_panel(evidence.statistics, figure.table))
+  figure.panels = learning_panel(evidence.statistics, figure.tables);
+  figure.panels.push_back(latent_panel(first, figure.tables));
+  for (Panel& panel : kept_panel(evidence.statistics, figure.tables))
     figure.panels.push_back(std::move(panel));
   figure.panels.push_back(reconstruction_panel(first));
   return figure;

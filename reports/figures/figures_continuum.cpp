@@ -118,11 +118,11 @@ std::size_t nearest(const Drawings& drawings, const Place& place) {
 }  // namespace
 
 Figure continuum_figure(const Evidence& evidence) {
-  Figure figure{.id = "continuum", .title = "From digit to digit."};
+  Figure figure{.id = "continuum", .title = "From digit to digit"};
   figure.caption =
       "The shortest walk through the latent space that visits the median place of every class of the test "
-      "images (its label stands where the walk passes), and the elites nearest to its steps; first "
-      "replication.";
+      "images. At each step stands the nearest elite; the label of a class stands where the walk passes its "
+      "median. First replication.";
   const auto files = evidence.artifacts.replications("digit_verdicts");
   auto networks = evidence.artifacts.replications("autoencoder");
   if (const std::string other = "descriptor.h5"; networks.empty() && evidence.artifacts.has(other))
@@ -144,6 +144,8 @@ Figure continuum_figure(const Evidence& evidence) {
     std::string& label = labels[steps.arrives[i]];
     label += (label.empty() ? "" : ", ") + std::to_string(way[i].label);
   }
+  std::string visited;
+  for (const auto& [step, label] : labels) visited += (visited.empty() ? "" : ", ") + label;
   for (const auto& [step, label] : labels)
     body += svg_text(label, kEdge + (static_cast<double>(step) + 0.5) * kCell, 16, 16, Colour::ink,
                      Align::centre);
@@ -159,14 +161,22 @@ Figure continuum_figure(const Evidence& evidence) {
     for (std::size_t s = 0; s < kSteps; ++s) {
       const std::size_t i = nearest(drawings, steps.steps[s]);
       sheet.place(drawings.image(i), (static_cast<double>(s) + 0.5) * kPixels, 0.5 * kPixels, kPixels);
-      figure.table.add("Walk", contender.label, static_cast<double>(s), "label", drawings.label[i]);
-      figure.table.add("Walk", contender.label, static_cast<double>(s), "good", drawings.good[i]);
+      figure.tables["walk"].add({{"series", contender.label},
+                                 {"step", static_cast<double>(s)},
+                                 {"class", static_cast<double>(drawings.label[i])},
+                                 {"good", static_cast<double>(drawings.good[i])}});
     }
     body += sheet.svg_image(kEdge, top, kWidth - kEdge, kCell);
     body += svg_text(contender.label, 0, top + kCell / 2 + 5, 16, contender.colour, Align::left);
     top += kCell + 6;
   }
-  figure.panels.push_back({"A walk through the latent space", Drawing{kWidth, top, body}, 6});
+  figure.panels.push_back(
+      {"A walk through the latent space",
+       Drawing{kWidth, top, body,
+               fmt::format("{} drawings in a row for the hierarchy and for the flat repertoire, "
+                           "with the classes {} on the way.",
+                           kSteps, visited)},
+       6});
   return figure;
 }
 

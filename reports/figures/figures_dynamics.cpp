@@ -106,68 +106,61 @@ std::string measured_words(const StatisticsView& statistics, const std::string& 
 
 }  // namespace
 
-Figure dynamics_figure(const Evidence& evidence) {
-  Figure figure{.id = "dynamics", .title = "The same digits by the robots’ servos, under gravity."};
-  const auto stages = evidence.artifacts.stages("", kReplayed);
-  if (stages.empty()) {
-    figure.absent = "This run replayed no digit by servos.";
+Figure dynamics_figure(const Evidence& evidence, const std::string& id) {
+  Figure figure{.id = id + kReplayed, .title = "The same digits by its servos, under gravity"};
+  const auto files = evidence.artifacts.replications(id + kReplayed);
+  if (files.empty()) {
+    figure.absent = "No digit was replayed by the robot’s servos in this run.";
     return figure;
   }
-  std::string measured;
-  for (const std::string& stage : stages) {
-    const std::string id = stage.substr(0, stage.size() - kReplayed.size()), robot = robot_title(id),
-                      name = "dynamics." + id + ".";
-    const std::vector<ReplayedDigit> digits = read_replays(evidence.artifacts.replications(stage));
-    if (digits.empty()) throw InputError("{} holds no digit", stage);
-    const auto add = [&](const std::vector<std::string>& names, BoxOptions options) {
-      options.title = robot + ": " + options.title;
-      options.figure = figure.id;
-      options.brackets = false;
-      for (Panel& panel : pooled_box_panel(evidence.statistics, names, options, figure.table))
-        figure.panels.push_back(std::move(panel));
-    };
-    const auto of = [&](std::initializer_list<const char*> measures) {
-      std::vector<std::string> names;
-      for (const char* measure : measures) names.push_back(name + measure);
-      return names;
-    };
-    figure.panels.push_back(gallery_panel(robot + ": digits", gallery(digits)));
-    add(of({"elites_absolute", "wanted_absolute", "arm_absolute", "whole_absolute"}),
-        {.title = "difference per pixel", .unit = "% of white against black", .from_zero = true, .span = 3});
-    add(of({"arm_rms", "arm_max", "whole_rms", "whole_max"}),
-        {.title = "distance from the way", .unit = "µm (1k: 1 mm)", .logarithmic = true, .scale = 1000});
-    add(of({"arm_torque", "whole_torque", "arm_speed", "whole_speed"}),
-        {.title = "greatest load", .unit = "% of the limit", .from_zero = true});
-    add(of({"arm_faster", "whole_faster"}),
-        {.title = "pace that reaches a limit", .unit = "times the profile’s", .from_zero = true});
-    add(greatest(evidence.statistics, name + "arm_torque_of.", 5),
-        {.title = "torques of the drawing joints", .unit = "% of the limit", .from_zero = true, .span = 3});
-    const auto body = greatest(evidence.statistics, name + "whole_torque_of.", 5);
-    if (!body.empty())
-      add(body,
-          {.title = "greatest torques of the body", .unit = "% of the limit", .from_zero = true, .span = 3});
-    else
-      add(greatest(evidence.statistics, name + "arm_speed_of.", 5),
-          {.title = "speeds of the drawing joints", .unit = "% of the limit", .from_zero = true, .span = 3});
-    measured += measured_words(evidence.statistics, name, robot);
-  }
+  const std::string name = "dynamics." + id + ".";
+  const std::vector<ReplayedDigit> digits = read_replays(files);
+  if (digits.empty()) throw InputError("{} holds no digit", id + kReplayed);
+  const auto add = [&](const std::vector<std::string>& names, BoxOptions options) {
+    options.figure = figure.id;
+    options.brackets = false;
+    for (Panel& panel : pooled_box_panel(evidence.statistics, names, options, figure.tables))
+      figure.panels.push_back(std::move(panel));
+  };
+  const auto of = [&](std::initializer_list<const char*> measures) {
+    std::vector<std::string> names;
+    for (const char* measure : measures) names.push_back(name + measure);
+    return names;
+  };
+  figure.panels.push_back(gallery_panel("Digits", gallery(digits)));
+  add(of({"elites_absolute", "wanted_absolute", "arm_absolute", "whole_absolute"}),
+      {.title = "Difference per pixel", .unit = "% of white against black", .from_zero = true, .span = 3});
+  add(of({"arm_rms", "arm_max", "whole_rms", "whole_max"}),
+      {.title = "Distance from the way", .unit = "µm", .logarithmic = true, .scale = 1000});
+  add(of({"arm_torque", "whole_torque", "arm_speed", "whole_speed"}),
+      {.title = "Greatest load", .unit = "% of the limit", .from_zero = true});
+  add(of({"arm_faster", "whole_faster"}),
+      {.title = "Pace that reaches a limit", .unit = "times the profile’s", .from_zero = true});
+  add(greatest(evidence.statistics, name + "arm_torque_of.", 5),
+      {.title = "Torques of the drawing joints", .unit = "% of the limit", .from_zero = true, .span = 3});
+  const auto body = greatest(evidence.statistics, name + "whole_torque_of.", 5);
+  if (!body.empty())
+    add(body,
+        {.title = "Greatest torques of the body", .unit = "% of the limit", .from_zero = true, .span = 3});
+  else
+    add(greatest(evidence.statistics, name + "arm_speed_of.", 5),
+        {.title = "Speeds of the drawing joints", .unit = "% of the limit", .from_zero = true, .span = 3});
   figure.caption =
       "Some of the digits, replayed in a physical simulation with the masses, inertias and limits of the "
-      "robot’s "
-      "description. Before: straight from elite to elite. Asked: the smooth way of the joints that the "
-      "servos are to "
-      "follow, which turns them as little as the digit allows; elites: the same through layer 1’s own "
-      "postures, of which "
-      "neighbours may hold the arm differently. Arm: the drawing "
-      "joints "
-      "under computed torque, all others locked. Body: all joints move, those that do not draw are held by "
-      "springs "
-      "and dampers, and one foot (or the base) stands still. Loads are what the controller asked for; above "
-      "100 % "
-      "it did not get it. The pace is that at which inverse dynamics reaches a limit of torque or speed. "
-      "Whiskers: "
-      "within 1.5 interquartile ranges." +
-      measured;
+      "robot’s description. Before: straight from elite to elite. Asked: the smooth way of the joints that "
+      "the "
+      "servos are to follow, which turns them as little as the digit allows; elites: the same through layer "
+      "1’s "
+      "own postures, of which neighbours may hold the arm differently. Arm: the drawing joints under "
+      "computed "
+      "torque, all others locked. Body: all joints move; those that do not draw are held by springs and "
+      "dampers, "
+      "and one foot (or the base) stands still. Loads are what the controller asked for; above 100 % it did "
+      "not "
+      "get it. The pace is that at which inverse dynamics reaches a limit of torque or speed. Whiskers: "
+      "within "
+      "1.5 interquartile ranges." +
+      measured_words(evidence.statistics, name, robot_title(id));
   return figure;
 }
 

@@ -40,7 +40,7 @@ Bounds bounds_of(const std::vector<Replications>& all) {
 
 // All elites of all replications as dots: good ones dark, the others pale.
 Panel scatter(const std::string& who, const Replications& drawings, const Bounds& bounds,
-              std::optional<double> real_error, Table& table) {
+              std::optional<double> real_error, Tables& tables) {
   constexpr double kLeft = 40, kBottom = 40, kWidth = 600, kTop = 6;
   constexpr int kScale = 2;
   const double width = kWidth - kLeft - 6, height = kPlotHeight + 60 - kBottom - kTop;
@@ -59,8 +59,10 @@ Panel scatter(const std::string& who, const Replications& drawings, const Bounds
         if ((d.good[i] != 0) != good) continue;
         cv::circle(dots, {cvRound(x(-d.objective[i]) * kScale), cvRound(y(d.confidence[i]) * kScale)}, 3,
                    cv::Scalar(rgb & 255, rgb >> 8 & 255, rgb >> 16, good ? 210 : 70), cv::FILLED, cv::LINE_8);
-        const std::string series = fmt::format("{}, {}", contender.label, good ? "good" : "not good");
-        table.add("Error and confidence", series, -d.objective[i], "confidence", d.confidence[i]);
+        tables["digits"].add({{"series", contender.label},
+                              {"good", good ? 1.0 : 0.0},
+                              {"error", static_cast<double>(-d.objective[i])},
+                              {"confidence", static_cast<double>(d.confidence[i])}});
       }
   std::string body = svg_image(encode_png(dots), kLeft, kTop, width, height, "photo");
   body += fmt::format(
@@ -76,19 +78,26 @@ Panel scatter(const std::string& who, const Replications& drawings, const Bounds
     body +=
         svg_text("real digits", kLeft + x(*real_error) + 5, kTop + height - 8, 13, Colour::grey, Align::left);
   }
-  for (double tick = 0; tick <= bounds.error; tick += 0.01)
-    body += svg_text(fmt::format("{:.2f}", tick), kLeft + x(tick), kTop + height + 17, 13, Colour::ink,
-                     Align::centre);
-  for (double tick = std::ceil(bounds.low * 2) / 2; tick <= bounds.high; tick += 0.5)
-    body += svg_text(fmt::format("{:.1f}", tick + 0.0), kLeft - 5, kTop + y(tick) + 5, 13, Colour::ink,
-                     Align::right);
+  const std::vector<double> across = round_ticks(0, bounds.error), up = round_ticks(bounds.low, bounds.high);
+  const std::vector<std::string> across_labels = tick_labels(across), up_labels = tick_labels(up);
+  for (std::size_t i = 0; i < across.size(); ++i)
+    body +=
+        svg_text(across_labels[i], kLeft + x(across[i]), kTop + height + 17, 13, Colour::ink, Align::centre);
+  for (std::size_t i = 0; i < up.size(); ++i)
+    body += svg_text(up_labels[i], kLeft - 5, kTop + y(up[i]) + 5, 13, Colour::ink, Align::right);
   body += svg_text("the network’s error per pixel", kLeft + width / 2, kTop + height + 35, 13, Colour::ink,
                    Align::centre);
-  return {contender.label + ": the judge’s confidence", Drawing{kWidth, kPlotHeight + 60, body}, 3};
+  return {
+      contender.label + ": the judge’s confidence",
+      Drawing{kWidth, kPlotHeight + 60, body,
+              "A dot for each digit: the network’s error per pixel across, the judge’s confidence upwards; "
+              "dark where the judge calls it good. The broken lines are confidence 0 and the error of real "
+              "digits."},
+      3};
 }
 
 // Share of good digits among those of about the same error, a band over replications for each contender.
-std::vector<Panel> good_by_error(const std::vector<Replications>& all, const Bounds& bounds, Table& table) {
+std::vector<Panel> good_by_error(const std::vector<Replications>& all, const Bounds& bounds, Tables& tables) {
   constexpr double kBin = 0.004;
   constexpr std::size_t kFewest = 5;  // digits of a replication in a bin, for a share to say something
   BandPlot plot{.x_label = "the network’s error per pixel", .unit = "% good", .bands = {}, .from_zero = true};
@@ -112,7 +121,7 @@ std::vector<Panel> good_by_error(const std::vector<Replications>& all, const Bou
       band.q3.push_back(s.q3);
     }
     if (band.x.size() < 2) continue;
-    add_band(table, "Good digits by error", band);
+    add_band(tables, "Good digits by the network’s error", "error", band);
     plot.bands.push_back(band);
   }
   if (plot.bands.empty()) return {};
@@ -122,7 +131,7 @@ std::vector<Panel> good_by_error(const std::vector<Replications>& all, const Bou
 // For each class as the judge sees it the two digits of least error, one good and one refused.
 Panel pairs(const std::string& who, const Replications& drawings) {
   constexpr int kPixels = 112;
-  constexpr double kEdge = 74, kWidth = 608, kSide = (kWidth - kEdge) / 10, kText = 14;
+  constexpr double kEdge = 74, kWidth = 608, kSide = (kWidth - kEdge) / 10, kText = 16;
   InkSheet sheets[2] = {{10 * kPixels, kPixels}, {10 * kPixels, kPixels}};
   std::string body;
   for (int digit = 0; digit < 10; ++digit)
@@ -138,28 +147,34 @@ Panel pairs(const std::string& who, const Replications& drawings) {
       const double row = good ? 0 : 1;
       sheets[good ? 0 : 1].place(from->image(best), (digit + 0.5) * kPixels, 0.5 * kPixels, kPixels);
       body += svg_text(fmt::format("{:.3f}", -from->objective[best]), kEdge + (digit + 0.5) * kSide,
-                       (row + 1) * (kSide + kText) - 3, 11, Colour::grey, Align::centre);
+                       (row + 1) * (kSide + kText) - 3, 13, Colour::grey, Align::centre);
     }
   for (const int row : {0, 1}) {
     const double top = row * (kSide + kText);
     body += sheets[row].svg_image(kEdge, top, 10 * kSide, kSide);
     body += svg_text(row == 0 ? "good" : "refused", 0, top + kSide / 2 + 5, 14, Colour::grey, Align::left);
   }
-  return {contender(who).label + ": what the network likes best", Drawing{kWidth, 2 * (kSide + kText), body},
-          3};
+  return {
+      contender(who).label + ": what the network likes best",
+      Drawing{
+          kWidth, 2 * (kSide + kText), body,
+          "For each class from 0 to 9 the digit of least error that the judge calls good, and below it the "
+          "one that it refuses, with their errors."},
+      3};
 }
 
 }  // namespace
 
 Figure fooling_figure(const Evidence& evidence) {
-  Figure figure{.id = "fooling", .title = "How the network is fooled."};
+  Figure figure{.id = "fooling", .title = "How the network is fooled"};
   figure.caption =
-      "Above: every digit of all replications by the network’s error, which the search minimises, and the "
-      "confidence of the judge, which it never sees; dark where the judge calls it good; below the level "
-      "line it "
-      "refuses; the upright line is the network’s mean error on real test images. Middle: how many of the "
-      "digits with about the same error are good; rank correlation of the two opinions, one value per "
-      "replication, and the mean confidence. Below: for each class, as the judge sees it, the digit with the "
+      "a, b: every digit of all replications by the network’s error, which the search minimises, and the "
+      "confidence of the judge, which it never sees; dark where the judge calls it good. Below the level "
+      "line "
+      "the judge refuses; the upright line is the network’s mean error on real test images. c: how many of "
+      "the "
+      "digits with about the same error are good. d: rank correlation of the two opinions, and e: the mean "
+      "confidence, one value per replication. f, g: for each class, as the judge sees it, the digit with the "
       "least error (written below it) among the good ones and among the others.";
   const auto files = evidence.artifacts.replications("digit_verdicts");
   std::vector<Replications> all;
@@ -178,15 +193,15 @@ Figure fooling_figure(const Evidence& evidence) {
   if (const auto errors = evidence.statistics.quantity("autoencoder.test_error"); !errors.empty())
     real_error = summarise(errors, "autoencoder.test_error").median;
   for (std::size_t c = 0; c < all.size(); ++c)
-    figure.panels.push_back(scatter(kDrawers[c], all[c], bounds, real_error, figure.table));
-  for (Panel& panel : good_by_error(all, bounds, figure.table)) figure.panels.push_back(std::move(panel));
+    figure.panels.push_back(scatter(kDrawers[c], all[c], bounds, real_error, figure.tables));
+  for (Panel& panel : good_by_error(all, bounds, figure.tables)) figure.panels.push_back(std::move(panel));
   for (const auto& [title, unit, measure] :
        {std::tuple{"Network and judge agree", "rank correlation", "agreement"},
-        std::tuple{"The judge’s mean confidence", "margin", "confidence"}})
+        std::tuple{"The judge’s mean confidence", "margin, no unit", "confidence"}})
     for (Panel& panel : box_panel(
              evidence.statistics,
              {std::string("digit_verdicts.hbr.") + measure, std::string("digit_verdicts.flat.") + measure},
-             {.title = title, .unit = unit, .figure = figure.id}, figure.table))
+             {.title = title, .unit = unit, .figure = figure.id}, figure.tables))
       figure.panels.push_back(std::move(panel));
   for (std::size_t c = 0; c < all.size(); ++c) figure.panels.push_back(pairs(kDrawers[c], all[c]));
   return figure;

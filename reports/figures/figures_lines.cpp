@@ -12,11 +12,11 @@ void append(std::vector<Panel>& panels, std::vector<Panel> more) {
 }  // namespace
 
 Figure points_figure(const Evidence& evidence) {
-  Figure figure{.id = "points", .title = "Layer 1: points."};
+  Figure figure{.id = "points", .title = "Layer 1: points"};
   figure.caption =
-      "Size, best and mean fitness (minus the variance of the joints, rad²) of the repertoire that "
-      "all others stand on: median and quartiles over replications.";
-  figure.panels = progress_panels(evidence.statistics, {"layer1"}, figure.id, figure.table);
+      "The repertoire that all others stand on: elites (a), the best (b) and the mean fitness (c), minus the "
+      "variance of the joints. Median and quartiles over the replications.";
+  figure.panels = progress_panels(evidence.statistics, {"layer1"}, figure.id, "rad²", figure.tables);
   if (figure.panels.empty()) figure.absent = "This run has no layer 1, so there is no curve to show.";
   return figure;
 }
@@ -26,25 +26,24 @@ Figure lines_figure(const Evidence& evidence) {
       "accuracy.n1",   "accuracy.n10_short",          "accuracy.n10",
       "accuracy.n100", "accuracy.reference_endpoint", "accuracy.reference_displacement"};
   Figure figure{.id = "lines",
-                .title = "Lines with and without the stochastic descriptor (the paper’s Fig. 5a)."};
+                .title = "Lines with and without the stochastic descriptor (the paper’s Fig. 5a)"};
   figure.caption =
-      "Left: squared error between requested and drawn displacement, the median over all requests, one value "
-      "per "
-      "replication. 4-D is the reference whose descriptor also holds the start: replayed to its stored end, "
-      "or by its "
-      "stored shift. Right: controllers in the repertoire. Boxes: quartiles; whiskers: within 1.5 "
-      "interquartile "
-      "ranges; p: rank-sum tests between neighbours.";
-  figure.panels = box_panel(
-      evidence.statistics, accuracy,
-      {.title = "Accuracy", .unit = "m²", .figure = figure.id, .logarithmic = true, .span = 3}, figure.table);
+      "a: squared error between the requested and the drawn displacement, the median over all requests, one "
+      "value per replication. b: controllers in the repertoire. 4-D is the reference whose descriptor also "
+      "holds the start; a stored line is replayed to its stored end or by its stored shift. Boxes: "
+      "quartiles; "
+      "whiskers: within 1.5 interquartile ranges; p: rank-sum tests between neighbours.";
+  figure.panels =
+      box_panel(evidence.statistics, accuracy,
+                {.title = "Accuracy", .unit = "m²", .figure = figure.id, .logarithmic = true, .span = 3},
+                figure.tables);
   append(
       figure.panels,
       box_panel(evidence.statistics,
                 {"layer2.n1.size", "layer2.n10_short.size", "layer2.n10.size", "layer2.n100.size",
                  "reference4d.size"},
                 {.title = "Size", .unit = "controllers", .figure = figure.id, .logarithmic = true, .span = 3},
-                figure.table));
+                figure.tables));
   figure.notes = tests_table(evidence.statistics, accuracy);
   if (figure.panels.empty())
     figure.absent = "This run has no lines: neither layer 2 nor its accuracy was made.";
@@ -52,12 +51,14 @@ Figure lines_figure(const Evidence& evidence) {
 }
 
 Figure arcs_figure(const Evidence& evidence) {
-  Figure figure{.id = "arcs", .title = "Arcs with and without the hierarchy (the paper’s Fig. 5b)."};
+  Figure figure{.id = "arcs", .title = "Arcs with and without the hierarchy (the paper’s Fig. 5b)"};
   figure.caption =
-      "Number of behaviours, best and mean fitness: layer 3 with 1, 10 and 100 samples against a flat "
-      "repertoire of 40 genes. Median and quartiles over replications.";
-  figure.panels = progress_panels(
-      evidence.statistics, {"layer3.n1", "layer3.n10", "layer3.n100", "flat_arcs"}, figure.id, figure.table);
+      "Elites (a), best (b) and mean fitness (c) of layer 3 with 1, 10 and 100 samples and of a flat "
+      "repertoire. The fitness is minus a sum of variances of segments, turns and joints, so it has no unit. "
+      "Median and quartiles over the replications.";
+  figure.panels =
+      progress_panels(evidence.statistics, {"layer3.n1", "layer3.n10", "layer3.n100", "flat_arcs"}, figure.id,
+                      "no unit", figure.tables);
   figure.notes = tests_table(evidence.statistics,
                              {"layer3.n1.mean", "layer3.n10.mean", "layer3.n100.mean", "flat_arcs.mean"});
   if (figure.panels.empty())
@@ -66,10 +67,10 @@ Figure arcs_figure(const Evidence& evidence) {
 }
 
 Figure arc_quality_figure(const Evidence& evidence) {
-  Figure figure{.id = "arc_quality", .title = "The same arcs, executed again."};
+  Figure figure{.id = "arc_quality", .title = "The same arcs, executed again"};
   figure.caption =
-      "Mean fitness of all stored arcs as the search recorded it, and when executed again from fresh "
-      "starts: a single sample keeps lucky draws. One value per replication.";
+      "Mean fitness of all stored arcs as the search recorded it (a), and when they are executed again from "
+      "fresh starts (b). With a single sample the search keeps lucky draws. One value per replication.";
   const std::vector<std::string> fresh = {"layer3.n1.fresh_mean", "layer3.n10.fresh_mean",
                                           "layer3.n100.fresh_mean", "flat_arcs.fresh_mean"};
   if (evidence.statistics.quantities("layer3.", ".fresh_mean").empty()) {
@@ -78,11 +79,12 @@ Figure arc_quality_figure(const Evidence& evidence) {
   }
   figure.panels = box_panel(
       evidence.statistics, {"layer3.n1.mean", "layer3.n10.mean", "layer3.n100.mean", "flat_arcs.mean"},
-      {.title = "As stored", .unit = "mean fitness", .figure = figure.id, .span = 3}, figure.table);
+      {.title = "As stored", .unit = "mean fitness, no unit", .figure = figure.id, .span = 3}, figure.tables);
   append(figure.panels,
-         box_panel(evidence.statistics, fresh,
-                   {.title = "From fresh starts", .unit = "mean fitness", .figure = figure.id, .span = 3},
-                   figure.table));
+         box_panel(
+             evidence.statistics, fresh,
+             {.title = "From fresh starts", .unit = "mean fitness, no unit", .figure = figure.id, .span = 3},
+             figure.tables));
   figure.notes = tests_table(evidence.statistics, fresh);
   return figure;
 }

@@ -74,7 +74,7 @@ std::string number_cell(const WrittenNumber& number) {
 }
 
 // All numbers of as many digits in their order; those that can't be read are left blank, but for their value.
-Panel numbers_panel(const std::string& title, const std::filesystem::path& path, Table& table) {
+Panel numbers_panel(const std::string& title, const std::filesystem::path& path, Tables& tables) {
   const std::vector<WrittenNumber> numbers = read_numbers_shown(path);
   const bool two = numbers.empty() || numbers.front().strokes.size() == 2;
   std::string body;
@@ -87,9 +87,13 @@ Panel numbers_panel(const std::string& title, const std::filesystem::path& path,
     body += fmt::format("<g transform=\"translate({},{})\">\n", x, y);
     if (written) {
       for (std::size_t k = 0; k < numbers[next].strokes.size(); ++k)
-        for (const auto& [px, py] : numbers[next].strokes[k])
-          table.add(title, fmt::format("{} digit {}", numbers[next].value, k + 1), static_cast<double>(px),
-                    "y", static_cast<double>(py));
+        for (std::size_t p = 0; p < numbers[next].strokes[k].size(); ++p)
+          tables["strokes"].add({{"panel", title},
+                                 {"number", static_cast<double>(numbers[next].value)},
+                                 {"digit", static_cast<double>(k + 1)},
+                                 {"point", static_cast<double>(p)},
+                                 {"x_m", static_cast<double>(numbers[next].strokes[k][p].first)},
+                                 {"y_m", static_cast<double>(numbers[next].strokes[k][p].second)}});
       body += number_cell(numbers[next++]);
     } else {
       body += svg_text(fmt::format("{:02}", i), kNumberCell / 2, kNumberCell / 2 + 5, 14, Colour::faint,
@@ -100,25 +104,23 @@ Panel numbers_panel(const std::string& title, const std::filesystem::path& path,
   const double rows = std::ceil(std::max(cells, 1) / static_cast<double>(kNumberColumns));
   return {title,
           Drawing{kNumberColumns * (kNumberCell + kNumberGap) - kNumberGap,
-                  rows * (kNumberCell + kNumberGap) - kNumberGap, body},
+                  rows * (kNumberCell + kNumberGap) - kNumberGap, body,
+                  fmt::format("{} numbers as they were written, in their order.", numbers.size())},
           3};
 }
 
 }  // namespace
 
 Figure numbers_figure(const Evidence& evidence) {
-  Figure figure{.id = "numbers", .title = "A fifth layer: numbers."};
+  Figure figure{.id = "numbers", .title = "A fifth layer: numbers"};
   figure.caption =
-      "Beyond the paper: a genome of layer 5 commands layer 4 twice, by a place in its latent space and a "
-      "place on "
-      "the paper. Of the first replication, of every number that the judge can read (both digits good, "
-      "neither "
-      "reaching into the other) the one whose less sure digit it is surest of, as it stands on the paper; "
-      "grey: "
-      "numbers that were not found. Robots write the arm’s genomes.";
+      "A genome of layer 5 commands layer 4 twice, by a place in its latent space and a place on the paper. "
+      "For every number of the first replication that the judge can read (both digits good, neither reaching "
+      "into the other) the writing is shown whose less certain digit is the most certain; grey: numbers that "
+      "were not found. Robots write the arm’s genomes.";
   const auto add = [&](const std::string& stage, const std::string& title) {
     const auto files = evidence.artifacts.replications(stage);
-    if (!files.empty()) figure.panels.push_back(numbers_panel(title, files.front(), figure.table));
+    if (!files.empty()) figure.panels.push_back(numbers_panel(title, files.front(), figure.tables));
   };
   add("numbers", "The arm");
   for (const std::string& stage : evidence.artifacts.stages("", "_numbers"))
@@ -135,21 +137,21 @@ Figure numbers_figure(const Evidence& evidence) {
                                 .from_zero = true,
                                 .brackets = false,
                                 .span = 3},
-                                figure.table))
+                                figure.tables))
     figure.panels.push_back(std::move(panel));
   return figure;
 }
 
 Figure layers_figure(const Evidence& evidence) {
-  Figure figure{.id = "layers", .title = "Layers that the paper has not."};
+  Figure figure{.id = "layers", .title = "Layers that the paper does not have"};
   figure.caption =
-      "Size, best and mean fitness of the profile’s own layers, by their names there: median and quartiles "
-      "over "
-      "replications.";
+      "Elites (a), best (b) and mean fitness (c) of the profile’s own layers, by their names there: median "
+      "and quartiles over the replications.";
   std::vector<std::string> searches;
   for (const std::string& name : evidence.statistics.quantities("layers.", ".size"))
     searches.push_back(name.substr(0, name.size() - std::string(".size").size()));
-  figure.panels = progress_panels(evidence.statistics, searches, figure.id, figure.table);
+  figure.panels =
+      progress_panels(evidence.statistics, searches, figure.id, "as the layer defines it", figure.tables);
   if (figure.panels.empty()) figure.absent = "This run has no layers but the paper’s.";
   return figure;
 }

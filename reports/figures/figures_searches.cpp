@@ -72,17 +72,15 @@ std::string table_of(const Evidence& evidence, const std::vector<std::string>& s
 }  // namespace
 
 Figure searches_figure(const Evidence& evidence) {
-  Figure figure{.id = "searches", .title = "Layer 1 by other searches."};
+  Figure figure{.id = "searches", .title = "Layer 1 by other searches"};
   figure.caption =
-      "The same arm, variation, children and generations; only what is kept and what is bred from differs. "
-      "All "
-      "repertoires are projected onto one grid, where the fittest of each cell counts. Coverage: share of "
-      "the "
-      "cells that any search fills. QD score: sum over the cells of the best fitness above the worst there "
-      "can "
-      "be. Blue: the unstructured archive; green: the same with local competition; orange: grid; purple: "
-      "CVT. "
-      "One value per replication; the highest QD score comes first.";
+      "The same arm, variation, children and generations: only container and selector differ. All "
+      "repertoires are projected onto one grid, where the fittest of each cell counts. Coverage (a): share "
+      "of "
+      "the cells that any search fills. QD score (b): sum over the cells of the best fitness above the worst "
+      "possible. Blue: the unstructured archive; green: the same with local competition; orange: grid; "
+      "purple: "
+      "CVT. One value per replication, the highest QD score first.";
   const std::vector<std::string> searches = compared(evidence.statistics);
   if (searches.empty()) {
     figure.absent = "This run compared no searches.";
@@ -93,12 +91,12 @@ Figure searches_figure(const Evidence& evidence) {
     double scale;
   };
   for (const auto& [name, title, unit, scale] :
-       {Measure{"coverage", "Coverage", "%", 100}, Measure{"qd_score", "QD score", "fitness", 1},
+       {Measure{"coverage", "Coverage", "%", 100}, Measure{"qd_score", "QD score", "rad²", 1},
         Measure{"mean", "Mean fitness of the elites", "rad²", 1}, Measure{"size", "Size", "elites", 1}}) {
     std::vector<Panel> panel = box_panel(
         evidence.statistics, each(searches, name),
         {.title = title, .unit = unit, .figure = figure.id, .scale = scale, .brackets = false, .span = 3},
-        figure.table);
+        figure.tables);
     for (Panel& p : panel) figure.panels.push_back(std::move(p));
   }
   figure.notes = table_of(evidence, searches) + tests_table(evidence.statistics, each(searches, "qd_score"));

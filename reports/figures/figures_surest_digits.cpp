@@ -104,13 +104,12 @@ class View {
   double scale_ = 1;
 };
 
-// The file and the page without motion show the finished stroke with the arm at its end; the animations only
-// ever change attributes.
+// The file, and the page where nobody starts the motion, show the finished stroke with the arm at its end.
 std::string cell(const Stroke& stroke) {
   const View view(stroke);
   const std::vector<std::size_t> frames = frames_of(stroke.pen);
-  const std::string timing =
-      fmt::format("dur=\"{}s\" repeatCount=\"indefinite\" calcMode=\"linear\"", kSeconds);
+  const std::string timing = fmt::format(
+      "begin=\"indefinite\" dur=\"{}s\" repeatCount=\"indefinite\" calcMode=\"linear\"", kSeconds);
   std::string poses, times;
   for (int f = 0; f < kFrames; ++f) {
     poses += view(stroke.arm[frames[f]]) + ";";
@@ -141,13 +140,12 @@ std::string cell(const Stroke& stroke) {
 }  // namespace
 
 Figure surest_digits_figure(const Evidence& evidence) {
-  Figure figure{.id = "surest_digits", .title = "The arm at work."};
+  Figure figure{.id = "surest_digits", .title = "The arm at work"};
   figure.caption =
-      "Of each class that the judge finds the digit of the first replication that it is surest of (grey "
-      "where "
-      "even that one is not good), drawn by the arm through all four layers; a class that is not there was "
-      "not "
-      "found. The circle is the arm’s base, pale lines are its earlier poses.";
+      "For each class, the digit of the first replication that the judge is most certain of, drawn by the "
+      "arm "
+      "through all four layers; grey if the judge does not call it good. Classes that were not found are "
+      "left out. The circle is the arm’s base, pale lines are its earlier poses.";
   const auto files = evidence.artifacts.replications("surest_digits");
   const std::vector<Stroke> strokes = files.empty() ? std::vector<Stroke>{} : read_strokes(files[0]);
   if (strokes.empty()) {
@@ -162,16 +160,19 @@ Figure surest_digits_figure(const Evidence& evidence) {
                         column * (kStrokesCell + kStrokesGap), row * (kStrokesCell + kStrokesGap),
                         cell(strokes[i]));
     for (std::size_t k = 0; k < strokes[i].pen.size(); ++k) {
-      const std::string series = std::to_string(strokes[i].label);
-      figure.table.add("Strokes", series, static_cast<double>(k), "x", strokes[i].pen[k].x);
-      figure.table.add("Strokes", series, static_cast<double>(k), "y", strokes[i].pen[k].y);
+      figure.tables["strokes"].add({{"class", static_cast<double>(strokes[i].label)},
+                                    {"point", static_cast<double>(k)},
+                                    {"x_m", strokes[i].pen[k].x},
+                                    {"y_m", strokes[i].pen[k].y}});
     }
   }
   const double rows = std::ceil(static_cast<double>(strokes.size()) / kColumns);
-  figure.panels.push_back({"Digits as strokes",
-                           Drawing{kColumns * (kStrokesCell + kStrokesGap) - kStrokesGap,
-                                   rows * (kStrokesCell + kStrokesGap) - kStrokesGap, body},
-                           6});
+  figure.panels.push_back(
+      {"Digits as strokes",
+       Drawing{kColumns * (kStrokesCell + kStrokesGap) - kStrokesGap,
+               rows * (kStrokesCell + kStrokesGap) - kStrokesGap, body,
+               "For each class that was found its digit, with the arm’s poses while it draws."},
+       6});
   return figure;
 }
 

@@ -43,12 +43,7 @@ std::vector<Pair> read_pairs(const std::vector<std::filesystem::path>& files) {
   return pairs;
 }
 
-// "nao_transfer", "_transfer" -> "NAO"
-std::string robot_of(const std::string& stage, const std::string& suffix) {
-  return robot_title(stage.substr(0, stage.size() - suffix.size()));
-}
-
-constexpr int kColumns = 8, kRows = 3;
+constexpr int kColumns = 8, kRows = 2;
 
 // At even ranks from the most to the least alike.
 std::vector<Pair> at_even_ranks(const std::vector<Pair>& pairs) {
@@ -79,13 +74,17 @@ Panel pairs_panel(const std::string& title, const std::vector<Pair>& pairs, cons
       sheet.place(pair.arm, (column + 0.5) * kPixels, 0.5 * kPixels, kPixels);
       sheet.place(pair.robot, (column + 0.5) * kPixels, 1.5 * kPixels, kPixels);
       body += svg_text(format_quantity(100.0 * pair.absolute, "%"), kEdge + (column + 0.5) * kCell,
-                       top + 2 * kCell + 11, 11, Colour::grey, Align::centre);
+                       top + 2 * kCell + 13, 13, Colour::grey, Align::centre);
     }
     body += sheet.svg_image(kEdge, top, kColumns * kCell, 2 * kCell);
     body += svg_text("arm", 0, top + 0.5 * kCell + 4, 13, Colour::blue, Align::left);
     body += svg_text(robot, 0, top + 1.5 * kCell + 4, 13, Colour::vermilion, Align::left);
   }
-  return {title, Drawing{kWidth, kRows * kRow, body}, 3};
+  return {title,
+          Drawing{kWidth, kRows * kRow, body,
+                  fmt::format("{} pairs of images, the arm’s above the robot’s, and how much they differ.",
+                              pairs.size())},
+          3};
 }
 
 // What a digit's image shows decides how much of it can differ.
@@ -109,99 +108,97 @@ std::string measured_difference(const StatisticsView& statistics, const std::str
 }  // namespace
 
 Figure substitution_figure(const Evidence& evidence) {
-  Figure figure{.id = "substitution", .title = "Another layer 1 under the same arcs (the paper’s Fig. 4a)."};
+  Figure figure{.id = "substitution", .title = "Another layer 1 under the same arcs (the paper’s Fig. 4a)"};
   figure.caption =
       "Every arc of layer 3 executed over the original layer 1 and over one evolved to use two joints. "
       "M<sub>1</sub>: regularity of the arc, M<sub>2</sub>: the original layer’s fitness, M<sub>3</sub>: the "
       "new "
-      "one’s. All elites of all replications; whiskers: within 1.5 interquartile ranges; p: rank-sum test of "
-      "the "
-      "replications’ medians; larger is better.";
-  static constexpr std::pair<const char*, const char*> kMetrics[] = {
-      {"m1", "M₁: quality of the arcs"}, {"m2", "M₂: joints alike"}, {"m3", "M₃: two joints move"}};
-  for (const auto& [metric, title] : kMetrics) {
+      "one’s; larger is better. All elites of all replications; whiskers: within 1.5 interquartile ranges; "
+      "p: "
+      "rank-sum test of the replications’ medians.";
+  static constexpr struct {
+    const char *metric, *title, *unit;
+  } kMetrics[] = {{"m1", "M₁: quality of the arcs", "fitness, no unit"},
+                  {"m2", "M₂: joints alike", "fitness, rad²"},
+                  {"m3", "M₃: two joints move", "fitness, rad²"}};
+  for (const auto& [metric, title, unit] : kMetrics) {
     const std::string name = std::string("substitution.") + metric;
-    for (Panel& panel :
-         pooled_box_panel(evidence.statistics, {name + ".original", name + ".substitute"},
-                          {.title = title, .unit = "fitness", .figure = figure.id}, figure.table))
+    for (Panel& panel : pooled_box_panel(evidence.statistics, {name + ".original", name + ".substitute"},
+                                         {.title = title, .unit = unit, .figure = figure.id}, figure.tables))
       figure.panels.push_back(std::move(panel));
   }
   if (figure.panels.empty()) figure.absent = "This run did not exchange layer 1.";
   return figure;
 }
 
-Figure transfer_figure(const Evidence& evidence) {
-  Figure figure{.id = "transfer", .title = "The same digits by another robot (the paper’s Fig. 4b)."};
-  const auto stages = evidence.artifacts.stages("", kTransferred);
-  if (stages.empty()) {
-    figure.absent = "This run has no other robot that draws the digits.";
+Figure transfer_figure(const Evidence& evidence, const std::string& id) {
+  Figure figure{.id = id + kTransferred, .title = "The arm’s digits by this robot (the paper’s Fig. 4b)"};
+  const auto files = evidence.artifacts.replications(id + kTransferred);
+  if (files.empty()) {
+    figure.absent = "The robot does not draw the arm’s digits in this run.";
     return figure;
   }
-  std::string names, measured, framing;
-  for (const std::string& stage : stages) {
-    const std::string robot = robot_of(stage, kTransferred);
-    const std::vector<Pair> pairs = read_pairs(evidence.artifacts.replications(stage));
-    if (pairs.empty()) throw InputError("{} holds no digit", stage);
-    const std::string name = "transfer." + stage.substr(0, stage.size() - kTransferred.size()) + ".";
-    const auto boxes = [&](const std::vector<std::string>& measures, const BoxOptions& options) {
-      std::vector<std::string> quantities;
-      for (const std::string& measure : measures) quantities.push_back(name + measure);
-      for (Panel& panel : pooled_box_panel(evidence.statistics, quantities, options, figure.table))
-        figure.panels.push_back(std::move(panel));
-    };
-    figure.panels.push_back(
-        pairs_panel(robot + ": from the most to the least alike", at_even_ranks(pairs), robot));
-    boxes({"absolute", "evolved_absolute", "squared", "evolved_squared"},
-          {.title = "Difference per pixel, arm against " + robot,
-           .unit = "% of white against black",
-           .figure = figure.id,
-           .from_zero = true,
-           .brackets = false,
-           .span = 3});
-    figure.panels.push_back(pairs_panel(robot + ": the least alike", worst(pairs), robot));
-    boxes({"line_end", "line_displacement", "arc_end", "arc_centre", "arc_length"},
-          {.title = "Lines and arcs, arm against " + robot,
-           .unit = "mm of the arm",
-           .figure = figure.id,
-           .from_zero = true,
-           .scale = 1000,
-           .brackets = false,
-           .span = 3});
-    names += (names.empty() ? "" : ", ") + robot;
-    measured += measured_difference(evidence.statistics, name + "absolute", robot);
-    framing = framing_words(evidence.artifacts.replications(stage).front());
-  }
+  const std::string robot = robot_title(id), name = "transfer." + id + ".";
+  const std::vector<Pair> pairs = read_pairs(files);
+  if (pairs.empty()) throw InputError("{} holds no digit", id + kTransferred);
+  const auto boxes = [&](const std::vector<std::string>& measures, const BoxOptions& options) {
+    std::vector<std::string> quantities;
+    for (const std::string& measure : measures) quantities.push_back(name + measure);
+    for (Panel& panel : pooled_box_panel(evidence.statistics, quantities, options, figure.tables))
+      figure.panels.push_back(std::move(panel));
+  };
+  figure.panels.push_back(pairs_panel("From the most to the least alike", at_even_ranks(pairs), robot));
+  figure.panels.push_back(pairs_panel("The least alike", worst(pairs), robot));
+  boxes({"absolute", "evolved_absolute", "squared", "evolved_squared"},
+        {.title = "Difference per pixel, arm against robot",
+         .unit = "% of white against black",
+         .figure = figure.id,
+         .from_zero = true,
+         .brackets = false,
+         .span = 3});
+  boxes({"line_end", "line_displacement", "arc_end", "arc_centre", "arc_length"},
+        {.title = "Lines and arcs, arm against robot",
+         .unit = "mm of the arm",
+         .figure = figure.id,
+         .from_zero = true,
+         .scale = 1000,
+         .brackets = false,
+         .span = 3});
   figure.caption = fmt::format(
-      "Layers 2 to 4 of the arm over the first layer of {}. Digits: at even ranks of the mean absolute "
-      "difference per pixel, which stands below each pair, and those with the greatest; that difference, "
-      "absolute and squared, over all digits of all replications, by the robot’s layer 1 moved onto its "
-      "plane and "
-      "completed, and as it was evolved. Lines and arcs, executed by both from "
-      "common starts: the distance between their end points, between what a line displaces the pen by, "
-      "between the centres of an arc, and the difference of its lengths. Whiskers: within 1.5 "
-      "interquartile ranges. {}, the absolute difference is, in the median [least; greatest without "
-      "outliers]:{} the paper, which does not say what its images show: 0.92 % [0.10; 2.11].",
-      escape_html(names), framing, measured);
+      "Layers 2 to 4 of the arm over the robot’s layer 1. Digits at even ranks of the mean absolute "
+      "difference "
+      "per pixel, which stands below each pair (a), and those with the greatest (b); that difference, "
+      "absolute "
+      "and squared, over all digits of all replications, by the robot’s layer 1 moved onto its plane and "
+      "completed, and as it was evolved. Lines and arcs, executed by both from common starts: the distance "
+      "between their end points, between what a line displaces the pen by, between the centres of an arc, "
+      "and "
+      "the difference of its lengths. Whiskers: within 1.5 interquartile ranges. {}, the absolute difference "
+      "is, in the median [least; greatest without outliers]:{} the paper, which does not say what its images "
+      "show: 0.92 % [0.10; 2.11].",
+      framing_words(files.front()), measured_difference(evidence.statistics, name + "absolute", robot));
   return figure;
 }
 
-Figure posture_figure(const Evidence& evidence) {
-  Figure figure{.id = "posture", .title = "Robots that draw a digit."};
-  const std::string suffix = "_picture";
-  const auto pictures = evidence.artifacts.ending(suffix);
-  if (pictures.empty()) {
-    figure.absent = "This run made no picture of a robot.";
+Figure posture_figure(const Evidence& evidence, const std::string& robot) {
+  const std::string picture = robot + "_picture";
+  Figure figure{.id = robot + "_posture", .title = "Drawing a digit"};
+  if (!evidence.artifacts.has(picture)) {
+    figure.absent = "This run made no picture of the robot.";
     return figure;
   }
-  for (const std::string& picture : pictures) {
-    const std::string robot = robot_of(picture, suffix);
-    const std::filesystem::path folder = evidence.artifacts.path(picture);
-    figure.panels.push_back({robot, picture_file(folder / "posture.png", 400), 2});
-    figure.panels.push_back({robot + ", along the stroke", picture_file(folder / "strip.png", 900), 4});
-  }
-  figure.caption =
-      "Left: the posture at the end of the stroke, seen through the board, so that the digit is mirrored. "
-      "Right: poses along the stroke, seen over the shoulder.";
+  const std::filesystem::path folder = evidence.artifacts.path(picture);
+  const auto add = [&](const char* title, const char* file, double width, int span, const char* shows) {
+    Drawing drawing = picture_file(folder / file, width);
+    drawing.shows = shows;
+    figure.panels.push_back({title, std::move(drawing), span});
+  };
+  add("The posture at the end of the stroke", "posture.png", 400, 2,
+      "The robot in front of the board with its digit, which is mirrored because it is seen through the "
+      "board.");
+  add("Poses along the stroke", "strip.png", 900, 4,
+      "The robot from behind its shoulder at several moments, the stroke growing from one to the next.");
+  figure.caption = "a: seen through the board, so that the digit is mirrored. b: seen over the shoulder.";
   return figure;
 }
 

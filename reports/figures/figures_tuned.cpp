@@ -60,94 +60,84 @@ std::vector<TunedDigit> read_digits(const std::vector<std::filesystem::path>& fi
   return digits;
 }
 
-Panel worst_panel(const std::string& robot, const std::vector<TunedDigit>& digits) {
+Panel worst_panel(const std::vector<TunedDigit>& digits) {
   std::vector<GalleryRow> rows{{"arm", Colour::blue}};
   for (const char* state : kStates) rows.push_back({contender(state).label, contender(state).colour});
   for (std::size_t k = 0; k < std::min(kGalleryColumns, digits.size()); ++k) {
     rows[0].images.push_back(digits[k].arm);
     for (std::size_t s = 0; s < kStates.size(); ++s) rows[s + 1].images.push_back(digits[k].robot[s]);
   }
-  return gallery_panel(robot + ": places where it differed most", rows);
+  return gallery_panel("Places where it differed most", rows);
 }
 
 }  // namespace
 
-Figure tuned_figure(const Evidence& evidence) {
-  Figure figure{.id = "tuned", .title = "Fine-tuning: the arm’s layers evolve on over the robot."};
-  std::string gains;
-  for (const std::string& stage : evidence.artifacts.stages("", kTuned)) {
-    const std::string id = stage.substr(0, stage.size() - kTuned.size()), robot = robot_title(id),
-                      name = "tuned." + id + ".", arm = "tuned.arm.";
-    if (id == "arm") continue;  // the control, beside each robot
-    figure.panels.push_back(worst_panel(robot, read_digits(evidence.artifacts.replications(stage))));
-    const auto options = [&](const std::string& title, const char* unit, double scale, int span) {
-      return BoxOptions{.title = robot + ": " + title,
-                        .unit = unit,
-                        .figure = figure.id,
-                        .from_zero = scale == 1000,
-                        .scale = scale,
-                        .span = span};
-    };
-    const auto add = [&](std::vector<Panel> panels) {
-      for (Panel& panel : panels) figure.panels.push_back(std::move(panel));
-    };
-    const auto of_digits = [&](const std::string& measure) {
-      return std::vector<std::string>{arm + "before." + measure, name + "before." + measure,
-                                      name + "top." + measure, name + "all." + measure};
-    };
-    add(pooled_box_panel(
-        evidence.statistics,
-        {arm + "top.difference", name + "before.difference", name + "top.difference",
-         name + "all.difference"},
-        options("difference from the arm’s digit at its place", "% of white against black", 1, 3),
-        figure.table));
-    add(box_panel(evidence.statistics, of_digits("mean"),
-                  options("mean fitness of the digits", "fitness", 1, 2), figure.table));
-    add(box_panel(evidence.statistics, of_digits("good"),
-                  options("share of good digits", "% of the digits", 100, 2), figure.table));
-    add(box_panel(evidence.statistics,
-                  {arm + "top.gain", name + "top.gain", arm + "all.gain", name + "all.gain"},
-                  options("gain, and the arm’s", "fitness", 1, 2), figure.table));
-    add(pooled_box_panel(evidence.statistics,
-                         {arm + "before.arc_fitness", name + "before.arc_fitness", name + "all.arc_fitness"},
-                         options("fitness of arcs, from fresh starts", "fitness", 1, 3), figure.table));
-    for (const auto& [measure, title] :
-         {std::pair<std::string, const char*>{"line", "lines, from what was asked"},
-          {"arc_centre", "centres of arcs, from what was asked"},
-          {"arc_length", "lengths of arcs, from what was asked"}})
-      add(pooled_box_panel(evidence.statistics,
-                           {arm + "before." + measure, name + "before." + measure, name + "all." + measure},
-                           options(title, "mm of the arm", 1000, 3), figure.table));
-    const auto gain = evidence.statistics.quantity(name + "top.gain"),
-               control = evidence.statistics.quantity(arm + "top.gain");
-    if (!gain.empty() && !control.empty())
-      gains += fmt::format(" {}: layer 4 alone gains {} where the arm’s gains {} (medians).",
-                           escape_html(robot), format_number(summarise(gain, "gain").median),
-                           format_number(summarise(control, "gain").median));
-  }
-  if (figure.panels.empty()) {
-    figure.absent = "This run fine-tuned no digits.";
+Figure tuned_figure(const Evidence& evidence, const std::string& id) {
+  Figure figure{.id = id + kTuned, .title = "Fine-tuning: the arm’s layers evolve on over this robot"};
+  const auto files = evidence.artifacts.replications(id + kTuned);
+  if (files.empty()) {
+    figure.absent = "The arm’s layers did not evolve on over the robot in this run.";
     return figure;
   }
+  const std::string robot = robot_title(id), name = "tuned." + id + ".", arm = "tuned.arm.";
+  figure.panels.push_back(worst_panel(read_digits(files)));
+  const auto options = [&](const std::string& title, const char* unit, double scale, int span) {
+    return BoxOptions{.title = title,
+                      .unit = unit,
+                      .figure = figure.id,
+                      .from_zero = scale == 1000,
+                      .scale = scale,
+                      .span = span};
+  };
+  const auto add = [&](std::vector<Panel> panels) {
+    for (Panel& panel : panels) figure.panels.push_back(std::move(panel));
+  };
+  const auto of_digits = [&](const std::string& measure) {
+    return std::vector<std::string>{arm + "before." + measure, name + "before." + measure,
+                                    name + "top." + measure, name + "all." + measure};
+  };
+  const char* const fitness = "minus the squared error per pixel";
+  add(pooled_box_panel(
+      evidence.statistics,
+      {arm + "top.difference", name + "before.difference", name + "top.difference", name + "all.difference"},
+      options("Difference from the arm’s digit at its place", "% of white against black", 1, 3),
+      figure.tables));
+  add(box_panel(evidence.statistics, of_digits("mean"), options("Mean fitness of the digits", fitness, 1, 2),
+                figure.tables));
+  add(box_panel(evidence.statistics, of_digits("good"),
+                options("Share of good digits", "% of the digits", 100, 2), figure.tables));
+  add(box_panel(evidence.statistics,
+                {arm + "top.gain", name + "top.gain", arm + "all.gain", name + "all.gain"},
+                options("Gain, and the arm’s", fitness, 1, 2), figure.tables));
+  add(pooled_box_panel(evidence.statistics,
+                       {arm + "before.arc_fitness", name + "before.arc_fitness", name + "all.arc_fitness"},
+                       options("Fitness of arcs, from fresh starts", "no unit", 1, 3), figure.tables));
+  for (const auto& [measure, title] :
+       {std::pair<std::string, const char*>{"line", "Lines, from what was asked"},
+        {"arc_centre", "Centres of arcs, from what was asked"},
+        {"arc_length", "Lengths of arcs, from what was asked"}})
+    add(pooled_box_panel(evidence.statistics,
+                         {arm + "before." + measure, name + "before." + measure, name + "all." + measure},
+                         options(title, "mm of the arm", 1000, 3), figure.tables));
   figure.caption =
-      "The arm’s layers go on for some generations with the robot in the arm’s place. Arm: the arm’s layers "
-      "on "
-      "the arm; before: the same by the robot; layer 4: the digits evolved on over the arm’s lines and arcs; "
-      "all: "
-      "lines, arcs and digits evolved on, each over the one below. The arm with one of these: the control, "
+      "The arm’s layers continue to evolve for some generations with the robot in the arm’s place. Arm: the "
+      "arm’s layers on the arm; before: the same by the robot; layer 4: the digits continued over the arm’s "
+      "lines and arcs; all: lines, arcs and digits continued, each over the one below. As a control, we "
+      "continued evolving the arm’s own layers for as long. For each of the arm’s digits we compare the "
+      "robot’s "
+      "nearest digit in latent space; before, that is the same genome as a rule. Good is what the judge "
+      "says; a "
+      "gain is the mean fitness above that before. Lines and arcs are asked for at places near those that "
       "the "
-      "arm’s own layers evolved on for as long. Places are those of the arm’s digits in the latent space: at "
-      "each "
-      "stands the digit that is nearest, and how much its pixels differ from the arm’s; before, that is the "
-      "same "
-      "genome as a rule. Fitness is minus the network’s error, the mean of a repertoire; good is what the "
-      "judge "
-      "says; a gain is the mean fitness above that before. Lines and arcs are asked for beside the places "
-      "that the "
       "arm’s repertoires hold; what is left on the arm is how far one execution is from the median of many "
       "that "
-      "a descriptor is. p: rank-sum test over the replications." +
-      gains;
+      "a descriptor is. p: rank-sum test over the replications.";
+  const auto gain = evidence.statistics.quantity(name + "top.gain"),
+             control = evidence.statistics.quantity(arm + "top.gain");
+  if (!gain.empty() && !control.empty())
+    figure.caption += fmt::format(" {}: layer 4 alone gains {} where the arm’s gains {} (medians).",
+                                  escape_html(robot), format_number(summarise(gain, "gain").median),
+                                  format_number(summarise(control, "gain").median));
   return figure;
 }
 

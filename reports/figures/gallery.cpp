@@ -1,5 +1,7 @@
 #include "reports/figures/gallery.h"
 
+#include <fmt/format.h>
+
 #include "reports/plot/picture.h"
 
 namespace hbr {
@@ -17,8 +19,13 @@ Panel gallery_panel(const std::string& title, const std::vector<GalleryRow>& row
     labels += svg_text(rows[r].label, 0, middle * kCell + 4, 13, rows[r].colour, Align::left);
   }
   const double height = static_cast<double>(rows.size()) * kCell;
-  return {title, Drawing{kWidth, height, sheet.svg_image(kEdge, 0, kGalleryColumns * kCell, height) + labels},
-          3};
+  std::string names;
+  for (const GalleryRow& row : rows) names += (names.empty() ? "" : ", ") + row.label;
+  return {
+      title,
+      Drawing{kWidth, height, sheet.svg_image(kEdge, 0, kGalleryColumns * kCell, height) + labels,
+              fmt::format("{} digits side by side, a row for each of: {}.", rows[0].images.size(), names)},
+      3};
 }
 
 }  // namespace hbr

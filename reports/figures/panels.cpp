@@ -23,6 +23,12 @@ std::string id_of(const std::string& figure, const std::string& title) {
   return id;
 }
 
+// A label of two lines in one.
+std::string flat(std::string label) {
+  std::ranges::replace(label, '\n', ' ');
+  return label;
+}
+
 // Two words stand below each other under their box.
 std::string broken(std::string label) {
   const std::size_t space = label.find(' ');
@@ -30,15 +36,28 @@ std::string broken(std::string label) {
   return label;
 }
 
-void add_box(Table& table, const std::string& panel, const std::string& label, std::size_t i, const Box& box,
-             double scale) {
-  const auto x = static_cast<double>(i + 1);
-  table.add(panel, label, x, "n", static_cast<double>(box.all.n));
-  for (const auto& [quantity, value] :
+struct Entry {
+  std::string name;
+  Box box;
+  std::vector<double> values;  // one per replication
+};
+
+void add_to_tables(Tables& tables, const BoxOptions& options, const std::string& label, const Entry& entry) {
+  Table::Row row{{"panel", options.title}, {"series", label}, {"unit", options.unit}};
+  const Box& box = entry.box;
+  row.emplace_back("n", static_cast<double>(box.all.n));
+  for (const auto& [column, value] :
        {std::pair{"minimum", box.all.minimum}, std::pair{"low", box.low}, std::pair{"q1", box.all.q1},
         std::pair{"median", box.all.median}, std::pair{"q3", box.all.q3}, std::pair{"high", box.high},
         std::pair{"maximum", box.all.maximum}})
-    table.add(panel, label, x, quantity, value * scale);
+    row.emplace_back(column, value * options.scale);
+  tables["boxes"].add(row);
+  for (std::size_t r = 0; r < entry.values.size(); ++r)
+    tables["values"].add({{"panel", options.title},
+                          {"series", label},
+                          {"unit", options.unit},
+                          {"replication", static_cast<double>(r)},
+                          {"value", entry.values[r] * options.scale}});
 }
 
 Box scaled(Box box, double scale) {
@@ -48,14 +67,8 @@ Box scaled(Box box, double scale) {
   return box;
 }
 
-struct Entry {
-  std::string name;
-  Box box;
-  std::vector<double> points;
-};
-
 std::vector<Panel> draw_boxes(const StatisticsView& statistics, const std::vector<Entry>& entries,
-                              const BoxOptions& options, Table& table) {
+                              const BoxOptions& options, Tables& tables) {
   if (entries.empty()) return {};
   BoxPlot plot{.unit = options.unit,
                .boxes = {},
@@ -65,8 +78,8 @@ std::vector<Panel> draw_boxes(const StatisticsView& statistics, const std::vecto
                .width = options.span == 2 ? 400.0 : 500.0};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const Contender who = contender(entries[i].name);
-    add_box(table, options.title, who.label, i, entries[i].box, options.scale);
-    std::vector<double> points = entries[i].points;
+    add_to_tables(tables, options, flat(who.label), entries[i]);
+    std::vector<double> points = entries[i].values.size() <= kFew ? entries[i].values : std::vector<double>{};
     for (double& value : points) value *= options.scale;
     plot.boxes.push_back({broken(who.label), who.colour, scaled(entries[i].box, options.scale), points});
     if (!options.brackets || i == 0) continue;
@@ -80,21 +93,23 @@ std::vector<Panel> draw_boxes(const StatisticsView& statistics, const std::vecto
 }  // namespace
 
 std::vector<Panel> progress_panels(const StatisticsView& statistics, const std::vector<std::string>& searches,
-                                   const std::string& figure, Table& table) {
+                                   const std::string& figure, const std::string& unit, Tables& tables) {
   static constexpr struct {
-    const char *measure, *title, *unit;
-  } kMeasures[] = {{"size", "Size", "elites"}, {"best", "Best", "fitness"}, {"mean", "Mean", "fitness"}};
+    const char *measure, *title, *own_unit;
+  } kMeasures[] = {{"size", "Size", "elites"}, {"best", "Best fitness", ""}, {"mean", "Mean fitness", ""}};
   std::vector<Panel> panels;
-  for (const auto& [measure, title, unit] : kMeasures) {
-    BandPlot plot{
-        .x_label = "generation", .unit = unit, .bands = {}, .from_zero = std::string(measure) == "size"};
+  for (const auto& [measure, title, own_unit] : kMeasures) {
+    BandPlot plot{.x_label = "generation",
+                  .unit = *own_unit ? own_unit : unit,
+                  .bands = {},
+                  .from_zero = std::string(measure) == "size"};
     for (const std::string& search : searches) {
       auto band = statistics.curve(search, measure);
       if (!band) continue;
       const Contender who = contender(search);
       band->label = who.label;
       band->colour = who.colour;
-      add_band(table, title, *band);
+      add_band(tables, title, plot.x_label, *band);
       plot.bands.push_back(*band);
     }
     if (!plot.bands.empty()) panels.push_back({title, plot_script(plot, id_of(figure, title)), 2});
@@ -103,23 +118,22 @@ std::vector<Panel> progress_panels(const StatisticsView& statistics, const std::
 }
 
 std::vector<Panel> box_panel(const StatisticsView& statistics, const std::vector<std::string>& names,
-                             const BoxOptions& options, Table& table) {
+                             const BoxOptions& options, Tables& tables) {
   std::vector<Entry> entries;
   for (const std::string& name : names) {
     const std::vector<double> values = statistics.quantity(name);
     if (values.empty()) continue;
-    entries.push_back(
-        {name, box(values, name.c_str()), values.size() <= kFew ? values : std::vector<double>{}});
+    entries.push_back({name, box(values, name.c_str()), values});
   }
-  return draw_boxes(statistics, entries, options, table);
+  return draw_boxes(statistics, entries, options, tables);
 }
 
 std::vector<Panel> pooled_box_panel(const StatisticsView& statistics, const std::vector<std::string>& names,
-                                    const BoxOptions& options, Table& table) {
+                                    const BoxOptions& options, Tables& tables) {
   std::vector<Entry> entries;
   for (const std::string& name : names)
     if (const auto box = statistics.box(name)) entries.push_back({name, *box, {}});
-  return draw_boxes(statistics, entries, options, table);
+  return draw_boxes(statistics, entries, options, tables);
 }
 
 std::string tests_table(const StatisticsView& statistics, const std::vector<std::string>& names) {

@@ -1,16 +1,102 @@
-// Light or dark by hand, and the claims of one verdict alone. The page is complete without either.
+// What a script adds to a page that is complete without: the theme, which claims and which robot are shown, and
+// motion. Choices outlive a reload where the browser keeps them.
 const root = document.documentElement;
+const kept = {
+  get: (key) => { try { return localStorage.getItem(key); } catch { return null; } },
+  set: (key, value) => { try { localStorage.setItem(key, value); } catch { /* nothing keeps it */ } },
+};
+
 const dark = () => root.dataset.theme ? root.dataset.theme === "dark"
                                       : matchMedia("(prefers-color-scheme: dark)").matches;
-document.getElementById("theme").addEventListener("click", () => { root.dataset.theme = dark() ? "light" : "dark"; });
-const filters = document.querySelectorAll(".filters button");
-for (const button of filters) button.addEventListener("click", () => {
-  const verdict = button.dataset.verdict;
-  for (const other of filters) other.setAttribute("aria-pressed", String(other === button));
-  for (const row of document.querySelectorAll(".claims tbody"))
-    row.hidden = Boolean(verdict) && row.dataset.verdict !== verdict;
+document.getElementById("theme").addEventListener("click", () => {
+  root.dataset.theme = dark() ? "light" : "dark";
+  kept.set("hbr-theme", root.dataset.theme);
 });
-addEventListener("beforeprint", () => { for (const d of document.querySelectorAll("details")) d.open = true; });
-// Who asked for no motion sees what the animations end in.
-if (matchMedia("(prefers-reduced-motion: reduce)").matches)
-  for (const svg of document.querySelectorAll("svg:has(.moving)")) { svg.pauseAnimations(); svg.setCurrentTime(4.9); }
+
+// Buttons of which one is pressed; `choose` shows what it stands for.
+function choice(buttons, key, choose) {
+  const press = (button) => {
+    for (const other of buttons) other.setAttribute("aria-pressed", String(other === button));
+    choose(button.value);
+  };
+  for (const button of buttons)
+    button.addEventListener("click", () => { press(button); kept.set(key, button.value); });
+  return (value) => press(buttons.find((button) => button.value === value) ?? buttons[0]);
+}
+
+const claims = [...document.querySelectorAll(".claims tbody")];
+choice([...document.querySelectorAll(".filters button")], "hbr-claims", (verdict) => {
+  for (const claim of claims) claim.hidden = Boolean(verdict) && claim.dataset.verdict !== verdict;
+})(kept.get("hbr-claims"));
+
+const robots = [...document.querySelectorAll(".robot")];
+if (robots.length > 1) {
+  const bar = document.createElement("div");
+  bar.className = "filters no-print";
+  bar.setAttribute("role", "group");
+  bar.setAttribute("aria-label", "Show one robot");
+  for (const robot of robots) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.value = robot.id;
+    button.textContent = robot.querySelector("h3").textContent;
+    bar.append(button);
+  }
+  robots[0].before(bar);
+  const show = choice([...bar.children], "hbr-robot", (id) => {
+    for (const robot of robots) robot.classList.toggle("unseen", robot.id !== id);
+  });
+  // An address within a robot shows that one.
+  const follow = () => {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    const robot = target?.closest(".robot");
+    if (robot) { show(robot.id); target.scrollIntoView(); }
+    return Boolean(robot);
+  };
+  addEventListener("hashchange", follow);
+  if (!follow()) show(kept.get("hbr-robot"));
+}
+
+// A folded figure opens for its address.
+const unfold = () => {
+  const fold = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.closest("details");
+  if (fold) fold.open = true;
+};
+addEventListener("hashchange", unfold);
+unfold();
+
+// Strokes move until they are paused, and not at all for who asked for no motion; on paper they are finished.
+for (const svg of document.querySelectorAll("svg:has(animate)")) {
+  const animations = [...svg.querySelectorAll("animate")];
+  const button = document.createElement("button");
+  let moving = false;
+  const move = (on) => {
+    moving = on;
+    for (const animation of animations) on ? animation.beginElement() : animation.endElement();
+    button.textContent = on ? "Pause" : "Play";
+  };
+  button.type = "button";
+  button.className = "no-print";
+  button.addEventListener("click", () => move(!moving));
+  svg.parentElement.before(button);
+  move(!matchMedia("(prefers-reduced-motion: reduce)").matches);
+  let before = moving;
+  addEventListener("beforeprint", () => { before = moving; move(false); });
+  addEventListener("afterprint", () => move(before));
+}
+
+// Paper shows what is folded.
+const opened = [];
+addEventListener("beforeprint", () => {
+  for (const fold of document.querySelectorAll("details:not([open])")) { fold.open = true; opened.push(fold); }
+});
+addEventListener("afterprint", () => { for (const fold of opened.splice(0)) fold.open = false; });
+
+// What scrolls within its box can be reached by the keyboard.
+const reach = () => {
+  for (const box of document.querySelectorAll(".scroll"))
+    if (box.scrollWidth > box.clientWidth) box.tabIndex = 0; else box.removeAttribute("tabindex");
+};
+addEventListener("resize", reach);
+document.addEventListener("toggle", reach, true);
+reach();

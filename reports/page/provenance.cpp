@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pipeline/artifact/content.h"
+#include "pipeline/artifact/families.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/core/check.h"
 #include "reports/kept/lineage.h"
@@ -50,27 +51,26 @@ Facts read_facts(const std::map<std::string, Manifest>& manifests) {
     stage.memory = std::max(stage.memory, manifest.run.value("peak_memory_bytes", 0.0));
     for (const char* word : {"version", "compiler", "architecture", "host"})
       facts.words[word].insert(manifest.run.value(word, "unknown"));
-    if (slice.variation.empty())
-      for (const auto& [name, input] : slice.inputs) stage.needs.insert(manifests.at(input).slice.stage);
+    if (!slice.variation.empty()) continue;
+    for (const auto& [name, input] : slice.inputs)
+      if (const Slice& need = manifests.at(input).slice; need.variation.empty())
+        stage.needs.insert(need.stage);
   }
   return facts;
 }
 
-// Stages that take in everything (statistics, report) would hide all other arrows; theirs are left out.
 std::string graph_html(const Facts& facts) {
-  std::string dot = fmt::format(
-      "digraph {{ rankdir=LR; bgcolor=transparent; nodesep=0.15; ranksep=0.35;\n"
-      "node [shape=box, style=rounded, fontname=\"sans-serif\", fontsize=11, height=0.3, color=\"{0}\", "
-      "fontcolor=\"{1}\"];\nedge [color=\"{0}\", arrowsize=0.6];\n",
-      hex(Colour::grey), hex(Colour::ink));
-  for (const auto& [name, stage] : facts.stages) {
-    dot += fmt::format("\"{}\";\n", name);
-    const bool takes_all = stage.needs.size() > 8;
-    for (const std::string& need : stage.needs)
-      if (!takes_all || need == "statistics") dot += fmt::format("\"{}\" -> \"{}\";\n", need, name);
-  }
-  const Drawing drawing = parse_svg(run_program({"dot", "-Tsvg"}, dot + "}\n"), "stages");
-  return "<div class=\"scroll graph\">" + inline_svg(drawing, "The stages and what they hand on") +
+  std::vector<StageBox> stages;
+  for (const auto& [name, stage] : facts.stages) stages.push_back({name, "", stage.artifacts, stage.needs});
+  Drawing drawing =
+      parse_svg(run_program({"dot", "-Tsvg"},
+                            stages_as_dot(stages, {hex(Colour::grey), hex(Colour::ink), "transparent"})),
+                "stages");
+  drawing.shows = fmt::format(
+      "The {} stages of the run, those that do the same in one box; arrows lead from what a "
+      "stage hands on to what uses it.",
+      stages.size());
+  return "<div class=\"scroll graph\">" + inline_svg(drawing, "stages-graph", "The graph of stages") +
          "</div>\n";
 }
 

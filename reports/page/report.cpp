@@ -10,19 +10,20 @@
 #include "reports/figures/figures.h"
 #include "reports/kept/speed.h"
 #include "reports/page/assets.h"
+#include "reports/page/robots.h"
 #include "reports/text/html.h"
 #include "reports/text/template.h"
 
 namespace hbr {
 namespace {
 
-std::string hero(const Artifacts& artifacts) {
-  const std::string picture = hero_picture(artifacts, 3);
+std::string best_digits(const Artifacts& artifacts) {
+  const std::string picture = best_digits_picture(artifacts, 3);
   if (picture.empty()) return "<p class=\"absent\">This run drew no digits.</p>";
-  return "<div class=\"hero\">" + picture +
-         "<p>Drawn by the arm’s hierarchy: for each class the three digits that the judge is surest of, over "
-         "all "
-         "replications; an empty place is a digit the run did not find.</p></div>";
+  return "<div class=\"best-digits\">" + picture +
+         "<p>Drawn by the arm’s hierarchy: for each class the three digits that the judge is most certain "
+         "of, over all "
+         "replications. An empty place is a digit that the run did not find.</p></div>";
 }
 
 // What the run is made of, stage by stage.
@@ -47,26 +48,37 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
   if (error) throw InputError("cannot make {}: {}", (folder / "figures").string(), error.message());
 
   const nlohmann::json sensitivity = sensitivity_table(content.claims, content.variations);
+  const Evidence evidence{content.artifacts, StatisticsView(content.statistics)};
   TemplateContent page;
   page.statistics = content.statistics;
   page.values = {
       {"profile", escape_html(content.profile)},
       {"css", kPageCss},
       {"js", kPageJs},
-      {"summary", verdict_tiles(content.claims)},
+      {"best_digits", best_digits(content.artifacts)},
+      {"hierarchy", hierarchy_diagram(content.layers)},
+      {"verdicts", verdict_tiles(content.claims)},
+      {"layers", layers_table(content.layers, evidence.statistics)},
       {"claims", claims_table(content.claims)},
       {"sensitivity", sensitivity_html(sensitivity)},
       {"sensitivity_link", content.variations.empty() ? "" : "<a href=\"#sensitivity\">Sensitivity</a> "},
       {"readings", ledger_html(content.readings)},
       {"speed", speed_html(content.speed)},
-      {"provenance", inventory(content)},
-      {"hero", hero(content.artifacts)}};
-  std::vector<Figure> figures = all_figures({content.artifacts, StatisticsView(content.statistics)});
+      {"provenance", inventory(content)}};
+  std::vector<Figure> figures = all_figures(evidence);
+  const std::size_t own = figures.size();
+  for (const std::string& robot : content.robots)
+    for (Figure& figure : robot_figures(evidence, robot)) figures.push_back(std::move(figure));
   draw_plots(figures);
-  for (const Figure& figure : figures) {
-    write_figure(figure, folder / "figures");
-    page.figures[figure.id] = figure_html(figure);
+  for (const Figure& figure : figures) write_figure(figure, folder / "figures");
+  for (std::size_t i = 0; i < own; ++i) page.figures[figures[i].id] = figure_html(figures[i]);
+  std::string& robots = page.values["robots"];
+  const std::size_t each = content.robots.empty() ? 0 : (figures.size() - own) / content.robots.size();
+  for (std::size_t r = 0; r < content.robots.size(); ++r) {
+    const auto first = figures.begin() + static_cast<std::ptrdiff_t>(own + r * each);
+    robots += robot_html(content.robots[r], {first, first + static_cast<std::ptrdiff_t>(each)});
   }
+  if (content.robots.empty()) robots = "<p class=\"absent\">This run has no robot but the arm.</p>\n";
   write_file(folder / "index.html", fill_template(kPageHtml, page));
   write_file(folder / "statistics.json", content.statistics.dump(1) + "\n");
   write_file(folder / "claims.json", content.claims.dump(1) + "\n");

@@ -7,11 +7,14 @@
 
 #include "reports/claims/sensitivity.h"
 #include "reports/figures/artifacts.h"
+#include "reports/page/layers.h"
 
 namespace hbr {
 
 struct ReportContent {
   std::string profile;
+  std::vector<LayerOfProfile> layers;
+  std::vector<std::string> robots;  // beside the arm, by their names in the profile
   Artifacts artifacts;
   nlohmann::json statistics;  // statistics.json
   nlohmann::json claims;      // as evaluate_claims leaves them
@@ -21,7 +24,7 @@ struct ReportContent {
 };
 
 // Makes `folder` with index.html (self-contained), statistics.json, claims.json, speed.json where there are
-// benchmarks, sensitivity.json where there are variations, and figures/ID.{svg,pdf,csv}.
+// benchmarks, sensitivity.json where there are variations, and figures/ID.{svg,pdf}, ID_TABLE.csv.
 // The same content gives the same bytes: no time, host or path is written.
 void write_report(const ReportContent& content, const std::filesystem::path& folder);
 

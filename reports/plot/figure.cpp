@@ -1,10 +1,12 @@
 #include "reports/plot/figure.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "pipeline/artifact/content.h"
+#include "pipeline/core/check.h"
 #include "reports/plot/external.h"
 #include "reports/text/html.h"
 
@@ -20,21 +22,39 @@ std::string quoted(const std::string& text) {
   return safe + '"';
 }
 
-}  // namespace
-
-void Table::add(const std::string& panel, const std::string& series, double x, const std::string& quantity,
-                double value) {
-  rows_ += fmt::format("{},{},{},{},{}\n", quoted(panel), quoted(series), x, quoted(quantity), value);
+// "a" of the first of several panels.
+std::string letter_of(const Figure& figure, std::size_t panel) {
+  return figure.panels.size() < 2 ? "" : std::string(1, static_cast<char>('a' + panel));
 }
 
-std::string Table::csv() const { return "panel,series,x,quantity,value\n" + rows_; }
+}  // namespace
 
-void add_band(Table& table, const std::string& panel, const Band& band) {
-  for (std::size_t i = 0; i < band.x.size(); ++i) {
-    table.add(panel, band.label, band.x[i], "q1", band.q1[i]);
-    table.add(panel, band.label, band.x[i], "median", band.median[i]);
-    table.add(panel, band.label, band.x[i], "q3", band.q3[i]);
+void Table::add(const Row& row) {
+  const bool first = columns_.empty();
+  std::string line;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const auto& [column, value] = row[i];
+    if (first) columns_.push_back(column);
+    HBR_CHECK(i < columns_.size() && column == columns_[i],
+              "a table's row has '{}' where the first had other columns", column);
+    if (i > 0) line += ',';
+    line += std::holds_alternative<double>(value) ? fmt::format("{}", std::get<double>(value))
+                                                  : quoted(std::get<std::string>(value));
   }
+  HBR_CHECK(row.size() == columns_.size(), "a table's row has {} of {} columns", row.size(), columns_.size());
+  rows_ += line + "\n";
+}
+
+std::string Table::csv() const { return fmt::format("{}\n{}", fmt::join(columns_, ","), rows_); }
+
+void add_band(Tables& tables, const std::string& panel, const std::string& x, const Band& band) {
+  for (std::size_t i = 0; i < band.x.size(); ++i)
+    tables["curves"].add({{"panel", panel},
+                          {"series", band.label},
+                          {x, band.x[i]},
+                          {"q1", band.q1[i]},
+                          {"median", band.median[i]},
+                          {"q3", band.q3[i]}});
 }
 
 void draw_plots(std::vector<Figure>& figures) {
@@ -51,24 +71,29 @@ void draw_plots(std::vector<Figure>& figures) {
 }
 
 std::string figure_html(const Figure& figure) {
-  std::string html = fmt::format("<figure id=\"figure-{}\">\n", figure.id);
-  if (!figure.absent.empty()) {
-    html += fmt::format("<p class=\"absent\">{}</p>\n", escape_html(figure.absent));
-  } else {
-    html += "<div class=\"panels\">\n";
-    for (const Panel& panel : figure.panels)
-      html +=
-          fmt::format("<div class=\"panel span{}\"><h4>{}</h4>{}</div>\n", panel.span,
-                      escape_html(panel.title), inline_svg(std::get<Drawing>(panel.drawing), panel.title));
-    html += "</div>\n" + figure.notes;
+  if (!figure.absent.empty())
+    return fmt::format("<p class=\"absent\" id=\"figure-{}\">{}</p>\n", figure.id,
+                       escape_html(figure.absent));
+  std::string html = fmt::format(
+      "<figure id=\"figure-{0}\">\n<h4><a href=\"#figure-{0}\">{1}</a></h4>\n"
+      "<div class=\"panels\">\n",
+      figure.id, escape_html(figure.title));
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const Panel& panel = figure.panels[i];
+    const std::string letter = letter_of(figure, i);
+    html += fmt::format("<div class=\"panel span{}\"><p>{}{}</p><div class=\"scroll\">{}</div></div>\n",
+                        panel.span, letter.empty() ? "" : fmt::format("<b>{}</b> ", letter),
+                        escape_html(panel.title),
+                        inline_svg(std::get<Drawing>(panel.drawing),
+                                   fmt::format("figure-{}-{}", figure.id, i + 1), panel.title));
   }
-  html += fmt::format("<figcaption><b>{}</b> {}", escape_html(figure.title), figure.caption);
-  if (figure.absent.empty())
-    html += fmt::format(
-        " <span class=\"files\"><a href=\"figures/{0}.svg\">SVG</a> <a href=\"figures/{0}.pdf\">PDF</a> <a "
-        "href=\"figures/{0}.csv\">CSV</a></span>",
-        figure.id);
-  return html + "</figcaption>\n</figure>\n";
+  std::string files;
+  for (const auto& [name, table] : figure.tables)
+    files += fmt::format(" <a href=\"figures/{0}_{1}.csv\">{1}.csv</a>", figure.id, name);
+  return html + fmt::format(
+                    "</div>\n{0}<figcaption>{1} <span class=\"files\"><a href=\"figures/{2}.svg\">svg</a> <a "
+                    "href=\"figures/{2}.pdf\">pdf</a>{3}</span></figcaption>\n</figure>\n",
+                    figure.notes, figure.caption, figure.id, files);
 }
 
 void write_figure(const Figure& figure, const std::filesystem::path& folder) {
@@ -83,7 +108,8 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder) {
     const double shown = (kPage + kGap) / 6 * panel.span - kGap;
     const Drawing& drawing = std::get<Drawing>(panel.drawing);
     const double height = drawing.height * shown / drawing.width;
-    placed.push_back({drawing, panel.title, x, y, shown, height});
+    const std::string letter = letter_of(figure, placed.size());
+    placed.push_back({drawing, letter + (letter.empty() ? "" : "  ") + panel.title, x, y, shown, height});
     x += shown + kGap;
     used += panel.span;
     row_height = std::max(row_height, height + kTitleHeight + kGap);
@@ -92,7 +118,8 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder) {
   write_file(folder / (figure.id + ".svg"), svg);
   write_file(folder / (figure.id + ".pdf"),
              run_program({"rsvg-convert", "--format=pdf", "--unlimited"}, svg));
-  write_file(folder / (figure.id + ".csv"), figure.table.csv());
+  for (const auto& [name, table] : figure.tables)
+    write_file(folder / fmt::format("{}_{}.csv", figure.id, name), table.csv());
 }
 
 }  // namespace hbr

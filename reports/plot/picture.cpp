@@ -55,6 +55,18 @@ Drawing picture_file(const std::filesystem::path& png, double width) {
   return {width, height, svg_image(bytes, 0, 0, width, height, "photo")};
 }
 
+std::string square_axes(double x, double y, double side) {
+  std::string body = fmt::format(
+      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"none\" stroke=\"{}\"/>\n",
+      x + 0.5, y + 0.5, side - 1, side - 1, hex(Colour::faint));
+  for (const auto& [label, share] : {std::pair{"−1", 0.0}, std::pair{"0", 0.5}, std::pair{"1", 1.0}}) {
+    const Align along = share == 0 ? Align::left : share == 1 ? Align::right : Align::centre;
+    body += svg_text(label, x + share * side, y + side + 16, 13, Colour::grey, along);
+    body += svg_text(label, x - 5, y + 12 + (1 - share) * (side - 12), 13, Colour::grey, Align::right);
+  }
+  return body;
+}
+
 std::string svg_text(const std::string& text, double x, double y, double size, Colour colour, Align align) {
   const char* anchor = align == Align::left ? "start" : align == Align::centre ? "middle" : "end";
   return fmt::format(

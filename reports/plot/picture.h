@@ -39,6 +39,10 @@ std::string svg_image(const std::string& png, double x, double y, double width, 
 // BGR, BGRA or grey as a PNG's bytes: the same bytes for the same pixels.
 std::string encode_png(const cv::Mat& pixels);
 
+// Axes from -1 to 1 below and to the left of a square, in which the latent space is drawn: 22 units beside
+// it.
+std::string square_axes(double x, double y, double side);
+
 // A line of text in a drawing.
 enum class Align { left, centre, right };
 std::string svg_text(const std::string& text, double x, double y, double size, Colour colour, Align align);

@@ -1,6 +1,7 @@
 #include "reports/plot/plot.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +10,14 @@
 #include "pipeline/core/check.h"
 #include "reports/plot/external.h"
 #include "reports/plot/plot_frame.h"
+#include "reports/text/format.h"
 
 namespace hbr {
 namespace {
 
 // The first moments of a search are far below all that follows; they may leave the plot.
 constexpr double kStart = 0.04;
-constexpr double kLabelHeight = 0.072;    // of the plot's height, between labels
+constexpr double kLabelHeight = 0.078;    // of the plot's height, between labels
 constexpr double kBracketHeight = 0.105;  // of the plot's height, for a bracket and its text
 
 // Heights in [0, 1] near the wanted ones but kLabelHeight apart, in the order of `wanted`.
@@ -62,6 +64,49 @@ std::vector<int> bracket_levels(const std::vector<Bracket>& brackets) {
   return levels;
 }
 
+// "HBR 0.535 [0.5; 0.56], flat ... (% of elites)": what is drawn, for those who cannot see it.
+std::string one_line(std::string label) {
+  std::ranges::replace(label, '\n', ' ');
+  return label;
+}
+std::string listed(const std::vector<std::string>& parts, const std::string& unit) {
+  return fmt::format("{}{}.", fmt::join(parts, "; "), unit.empty() ? "" : fmt::format(" ({})", unit));
+}
+
+std::string in_words(const BandPlot& plot) {
+  std::vector<std::string> parts;
+  for (const Band& band : plot.bands)
+    parts.push_back(fmt::format("{} goes from {} to {}", one_line(band.label),
+                                format_number(band.median.front()),
+                                format_quartiles(band.median.back(), band.q1.back(), band.q3.back(), "")));
+  return fmt::format("Curves over {}, up to {}. Median [quartiles] of each: {}", plot.x_label,
+                     format_number(plot.bands[0].x.back()), listed(parts, plot.unit));
+}
+
+std::string in_words(const BoxPlot& plot) {
+  std::vector<std::string> parts;
+  for (const BoxSeries& series : plot.boxes)
+    parts.push_back(
+        fmt::format("{} {}", one_line(series.label),
+                    format_quartiles(series.box.all.median, series.box.all.q1, series.box.all.q3, "")));
+  for (const Bracket& bracket : plot.brackets)
+    parts.push_back(fmt::format("{} against {}: {}", one_line(plot.boxes[bracket.left].label),
+                                one_line(plot.boxes[bracket.right].label), bracket.text));
+  return "Boxes, median [quartiles] of each: " + listed(parts, plot.unit);
+}
+
+std::string in_words(const BarPlot& plot) {
+  std::vector<std::string> parts;
+  for (const BarSeries& series : plot.series) {
+    std::vector<std::string> bars;
+    for (std::size_t g = 0; g < plot.groups.size(); ++g)
+      bars.push_back(fmt::format("{}: {}", plot.groups[g], format_number(series.values[g])));
+    parts.push_back((series.label.empty() ? "" : series.label + " ") +
+                    fmt::format("{}", fmt::join(bars, ", ")));
+  }
+  return fmt::format("Bars by {}: {}", plot.x_label, listed(parts, plot.unit));
+}
+
 constexpr const char* kSvgHead = "<?xml";  // every drawing begins so
 
 }  // namespace
@@ -81,18 +126,12 @@ PlotScript plot_script(const BandPlot& plot, const std::string& prefix) {
     ends.push_back((band.median.back() * axis.scale - axis.low) / (axis.high - axis.low));
   ends = spread_labels(ends);
 
-  std::string script = plot_head(plot.width, axis.unit, 84, 40);
-  script +=
-      fmt::format("set yrange [{}:{}]\nset xrange [0:{}]\nset xtics autofreq\n", axis.low, axis.high, last_x);
+  std::string script = plot_head(plot.width, axis.unit, 88, 48);
+  script += fmt::format("set yrange [{}:{}]\nset xrange [0:{}]\n", axis.low, axis.high, last_x);
+  script += gnuplot_ticks("ytics", round_ticks(axis.low, axis.high)) +
+            gnuplot_ticks("xtics", round_ticks(0, last_x));
   script += fmt::format("set xlabel {} offset 0,0.6 textcolor rgb '{}'\n", gnuplot_quoted(plot.x_label),
                         hex(Colour::ink));
-  // Four marks at most, so that the numbers of long runs do not touch.
-  const double rough = last_x / 4, power = std::pow(10.0, std::floor(std::log10(std::max(rough, 1.0))));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.5, 2.0, 1.0})
-    if (factor * power >= rough) step = factor * power;
-  if (last_x >= 4) script += fmt::format("set xtics {}\n", step);
-  if (last_x >= 10000) script += "set format x '%.0s%c'\n";
   std::string lines, areas;
   for (std::size_t i = 0; i < plot.bands.size(); ++i) {
     const Band& band = plot.bands[i];
@@ -105,7 +144,7 @@ PlotScript plot_script(const BandPlot& plot, const std::string& prefix) {
     lines += fmt::format("$b{} using 1:3 with lines lw 2 lc rgb '{}', ", i, colour);
   }
   lines.resize(lines.size() - 2);
-  return {script + "plot " + areas + lines + "\n", prefix};
+  return {script + "plot " + areas + lines + "\n", prefix, in_words(plot)};
 }
 
 PlotScript plot_script(const BoxPlot& plot, const std::string& prefix) {
@@ -129,10 +168,12 @@ PlotScript plot_script(const BoxPlot& plot, const std::string& prefix) {
   if (logarithmic) axis.scale = 1, axis.unit = plot.unit, axis.low = low - 0.15, axis.high = high + 0.15;
   axis.high = axis.low + (axis.high - axis.low) / (1 - kBracketHeight * top);
 
-  std::string script = plot_head(plot.width, axis.unit, 10, 44);
+  std::string script = plot_head(plot.width, axis.unit, 10, 56);
   const double n = static_cast<double>(plot.boxes.size());
   const auto bound = [&](double value) { return logarithmic ? std::pow(10.0, value) : value; };
-  if (logarithmic) script += fmt::format("set logscale y\nset format y '{}'\n", high > 0 ? "%.0s%c" : "1e%T");
+  if (logarithmic) script += "set logscale y\n";
+  script += gnuplot_ticks(
+      "ytics", logarithmic ? log_ticks(bound(axis.low), bound(axis.high)) : round_ticks(axis.low, axis.high));
   script += fmt::format("set yrange [{}:{}]\nset xrange [0.4:{}]\nset boxwidth {}\n", bound(axis.low),
                         bound(axis.high), n + 0.6, 0.5);
   std::string ticks, plots;
@@ -160,12 +201,12 @@ PlotScript plot_script(const BoxPlot& plot, const std::string& prefix) {
     const double y = 1 - kBracketHeight * (top - levels[i]) + 0.02;
     script += fmt::format(
         "set arrow from first {0}, graph {2} to first {1}, graph {2} nohead lc rgb '{3}'\n"
-        "set label {4} at first {5}, graph {6} center font ',10.5' textcolor rgb '{3}'\n",
+        "set label {4} at first {5}, graph {6} center textcolor rgb '{3}'\n",
         static_cast<double>(left) + 1.08, static_cast<double>(right) + 0.92, y, hex(Colour::ink),
         gnuplot_quoted(text), static_cast<double>(left + right) / 2 + 1, y + 0.04);
   }
   plots.resize(plots.size() - 2);
-  return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix};
+  return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix, in_words(plot)};
 }
 
 PlotScript plot_script(const BarPlot& plot, const std::string& prefix) {
@@ -173,10 +214,11 @@ PlotScript plot_script(const BarPlot& plot, const std::string& prefix) {
   double high = 0;
   for (const BarSeries& series : plot.series) high = std::max(high, *std::ranges::max_element(series.values));
   Axis axis = make_axis(0, high, plot.unit, true);
-  std::string script = plot_head(plot.width, axis.unit, 10, 40), ticks, plots;
+  std::string script = plot_head(plot.width, axis.unit, 10, 48), ticks, plots;
   const double groups = static_cast<double>(plot.groups.size()), n = static_cast<double>(plot.series.size());
   script += fmt::format("set yrange [0:{}]\nset xrange [0.4:{}]\nset boxwidth {}\n", axis.high, groups + 0.6,
-                        0.8 / n);
+                        0.8 / n) +
+            gnuplot_ticks("ytics", round_ticks(0, axis.high));
   script += fmt::format("set xlabel {} offset 0,0.6 textcolor rgb '{}'\n", gnuplot_quoted(plot.x_label),
                         hex(Colour::ink));
   for (std::size_t g = 0; g < plot.groups.size(); ++g)
@@ -194,7 +236,7 @@ PlotScript plot_script(const BarPlot& plot, const std::string& prefix) {
       script += fmt::format("set label {} at screen {}, screen 0.96 left font ',bold' textcolor rgb '{}'\n",
                             gnuplot_quoted(label), 0.5 + 0.2 * static_cast<double>(i), hex(colour));
   }
-  return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix};
+  return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix, in_words(plot)};
 }
 
 std::vector<Drawing> draw(const std::vector<PlotScript>& scripts) {
@@ -205,7 +247,9 @@ std::vector<Drawing> draw(const std::vector<PlotScript>& scripts) {
   for (std::size_t begin = answer.find(kSvgHead); begin != std::string::npos;) {
     const std::size_t end = answer.find(kSvgHead, begin + 1);
     if (drawings.size() == scripts.size()) break;
-    drawings.push_back(parse_svg(answer.substr(begin, end - begin), scripts[drawings.size()].prefix));
+    const PlotScript& script = scripts[drawings.size()];
+    drawings.push_back(parse_svg(answer.substr(begin, end - begin), script.prefix));
+    drawings.back().shows = script.shows;
     begin = end;
   }
   if (drawings.size() != scripts.size())

@@ -60,9 +60,10 @@ struct BarPlot {
   double width = 400;
 };
 
-// What gnuplot is told. `prefix` makes the ids of the drawing unique in a page.
+// What gnuplot is told. `prefix` makes the ids of the drawing unique in a page; `shows` says its numbers in
+// words (Drawing).
 struct PlotScript {
-  std::string text, prefix;
+  std::string text, prefix, shows;
 };
 PlotScript plot_script(const BandPlot& plot, const std::string& prefix);
 PlotScript plot_script(const BoxPlot& plot, const std::string& prefix);

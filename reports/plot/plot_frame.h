@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace hbr {
 
@@ -16,6 +17,16 @@ struct Axis {
 
 // Holds [low, high] (values) with a little air; a single value gets a range around it.
 Axis make_axis(double low, double high, const std::string& unit, bool from_zero);
+
+// Three to seven round numbers (1, 2 or 5 times a power of ten apart) in [low, high], low < high.
+std::vector<double> round_ticks(double low, double high);
+// The same of an axis that is logarithmic, 0 < low < high: powers of ten, or these times 1, 2 and 5 where
+// there are fewer than three, or else as above.
+std::vector<double> log_ticks(double low, double high);
+// Their numbers with as few digits as all of them are exact with.
+std::vector<std::string> tick_labels(const std::vector<double>& ticks);
+// "set ytics (...)" or "set xtics (...)".
+std::string gnuplot_ticks(const char* axis, const std::vector<double>& ticks);
 
 // A text for gnuplot, quoted.
 std::string gnuplot_quoted(const std::string& text);

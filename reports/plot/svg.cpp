@@ -12,6 +12,7 @@ namespace hbr {
 namespace {
 
 constexpr double kMargin = 12;
+constexpr double kLeastScale = 0.85;  // letters of 13 units stay 11 pixels high
 
 std::string replace_all(std::string text, const std::regex& what, const char* by) {
   return std::regex_replace(text, what, by);
@@ -38,9 +39,15 @@ Drawing parse_svg(const std::string& text, const std::string& prefix) {
   return {std::stod(size[1]), std::stod(size[2]), body};
 }
 
-std::string inline_svg(const Drawing& drawing, const std::string& title) {
-  return fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">{}</svg>\n", drawing.width,
-                     drawing.height, escape_html(title), recolour_for_page(drawing.body));
+std::string inline_svg(const Drawing& drawing, const std::string& id, const std::string& title) {
+  HBR_CHECK(!drawing.shows.empty(), "nobody says what the drawing '{}' shows", title);
+  const bool letters = drawing.body.find("<text") != std::string::npos;
+  return fmt::format(
+      "<svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-labelledby=\"{2}-title {2}-shows\"{3}><title "
+      "id=\"{2}-title\">{4}</title><desc id=\"{2}-shows\">{5}</desc>{6}</svg>\n",
+      drawing.width, drawing.height, id,
+      letters ? fmt::format(" style=\"min-width:{:.0f}px\"", kLeastScale * drawing.width) : "",
+      escape_html(title), escape_html(drawing.shows), recolour_for_page(drawing.body));
 }
 
 std::string svg_file(const std::vector<PlacedDrawing>& drawings, double width, double height) {

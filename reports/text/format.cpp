@@ -58,8 +58,16 @@ std::string format_number(double value, int digits) {
   return typeset(fmt::format("{:.{}f}", value, std::max(0, digits - 1 - exponent)));
 }
 
-std::string format_quantity(double value, const std::string& unit) {
-  return format_number(value) + unit_suffix(unit);
+int exact_digits(double value) {
+  int digits = 1;
+  while (digits < 9 &&
+         std::abs(std::stod(fmt::format("{:.{}e}", value, digits - 1)) - value) > 1e-9 * std::abs(value))
+    ++digits;
+  return digits;
+}
+
+std::string format_quantity(double value, const std::string& unit, int digits) {
+  return format_number(value, digits) + unit_suffix(unit);
 }
 
 std::string format_quartiles(double median, double q1, double q3, const std::string& unit) {

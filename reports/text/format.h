@@ -10,9 +10,12 @@ namespace hbr {
 // Not finite -> "–".
 std::string format_number(double value, int digits = 3);
 
+// As few significant digits as give the number itself, at most nine: 0.71 -> 2.
+int exact_digits(double value);
+
 // The number and its unit, a narrow no-break space between. Units are those of the statistics: "m^2" is
 // typeset, and words ("elites", "fitness") are left out, because sentences and table heads say them.
-std::string format_quantity(double value, const std::string& unit);
+std::string format_quantity(double value, const std::string& unit, int digits = 3);
 
 // "1 397 [1 335; 1 520]", the unit behind: median, first and third quartile.
 std::string format_quartiles(double median, double q1, double q3, const std::string& unit);

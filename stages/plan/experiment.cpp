@@ -42,11 +42,20 @@ void check_variations(const std::string& file, const Profile& profile, const Gra
 }
 
 // The page: everything of the experiment by its own name, and the statistics of every variation.
-Node report_of(const Profile& profile, const Graph& graph) {
+Node report_of(const Profile& profile, const std::vector<LayerRow>& layers, const Graph& graph) {
   const std::string claims = "reports/claims.toml", readings = "reports/readings.toml",
                     speed = "reports/reference/bench.json";
-  nlohmann::json settings = {
-      {"claims", claims}, {"readings", readings}, {"speed", speed}, {"variations", nlohmann::json::array()}};
+  const auto none = nlohmann::json::array();
+  nlohmann::json settings = {{"claims", claims}, {"readings", readings}, {"speed", speed},
+                             {"layers", none},   {"robots", none},       {"variations", none}};
+  for (const LayerRow& row : layers)
+    settings["layers"].push_back({{"name", row.name},
+                                  {"kind", row.kind->name},
+                                  {"meaning", row.kind->meaning},
+                                  {"below", row.below},
+                                  {"answers", row.kind->answers},
+                                  {"asks", row.kind->asks}});
+  for (const RobotSettings& robot : profile.robots) settings["robots"].push_back(robot.name);
   for (const ProfileVariation& v : profile.variations)
     settings["variations"].push_back({{"name", v.name}, {"changes", v.changes}});
   std::vector<std::pair<std::string, std::string>> inputs;
@@ -82,7 +91,7 @@ Graph experiment_graph(const std::filesystem::path& file) {
       throw InputError("{} changes nothing that this profile runs; expected keys that a stage depends on",
                        where);
   }
-  graph.push_back(report_of(profile, graph));
+  graph.push_back(report_of(profile, layer_rows(source), graph));
   return graph;
 }
 

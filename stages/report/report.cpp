@@ -9,6 +9,17 @@
 #include "reports/kept/speed.h"
 
 namespace hbr {
+
+template <class Fields>
+void describe(Fields& f, LayerOfProfile& s) {
+  f.text("name", s.name, "of the layer");
+  f.text("kind", s.kind, "its kind");
+  f.text("meaning", s.meaning, "what it makes");
+  f.text("below", s.below, "the layer that it is built on, or \"\"");
+  f.text("answers", s.answers, "what a command to it names");
+  f.text("asks", s.asks, "what it names in its commands");
+}
+
 namespace {
 
 struct VariationName {
@@ -22,6 +33,8 @@ void describe(Fields& f, VariationName& s) {
 
 struct ReportSettings {
   std::string claims, readings, speed;
+  std::vector<LayerOfProfile> layers;
+  std::vector<std::string> robots;
   std::vector<VariationName> variations;
 };
 template <class Fields>
@@ -29,6 +42,8 @@ void describe(Fields& f, ReportSettings& s) {
   f.text("claims", s.claims, "file of the paper's claims");
   f.text("readings", s.readings, "file of the readings");
   f.text("speed", s.speed, "file of the benchmarks' table");
+  f.tables("layers", s.layers, "of the profile, each after the one below");
+  f.texts("robots", s.robots, "of the profile");
   f.tables("variations", s.variations, "other readings, run beside this one");
 }
 
@@ -43,7 +58,7 @@ void run(StageRun& stage) {
     const nlohmann::json own = read_statistics(stage.input(v.name + "/statistics.json"));
     variations.push_back({v.name, v.changes, evaluate_claims(settings.claims, own)});
   }
-  write_report({statistics.at("profile"), Artifacts(artifacts), statistics,
+  write_report({statistics.at("profile"), settings.layers, settings.robots, Artifacts(artifacts), statistics,
                 evaluate_claims(settings.claims, statistics), read_readings(settings.readings),
                 std::move(variations), read_speed(settings.speed)},
                stage.output());

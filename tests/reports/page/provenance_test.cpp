@@ -81,7 +81,7 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\"><code>variation short</code></th><td>1</td><td>7.0 s"));
   EXPECT_THAT(page, HasSubstr("v1-dirty"));
   EXPECT_THAT(page, HasSubstr("&lt;box&gt;"));
-  EXPECT_THAT(page, HasSubstr("layer2_n10</text>"));
+  EXPECT_THAT(page, HasSubstr(">layer2_n10</text>"));
   EXPECT_TRUE(fs::exists(out / "report/figures/x.csv"));
   EXPECT_FALSE(fs::exists(out / "report.new") || fs::exists(out / "report.old"));
 }

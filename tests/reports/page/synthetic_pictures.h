@@ -197,6 +197,7 @@ class SyntheticPictures {
     plane.close();
     Hdf5Writer projected(place("nao_projected", 0));
     projected.attribute("settings.spacing", 0.01);
+    projected.attribute("settings.layer.half_side", 0.6);
     projected.write("arm_points", {reach.size(), 2}, points.data());
     projected.write("before/nearest", before);
     projected.write("after/nearest", after);
