@@ -12,6 +12,8 @@
 namespace hbr {
 namespace {
 
+const GenomeShape kThreeGenes{Coordinates(3)};
+
 // The first two genes are the descriptor, the third the fitness.
 class Echo final : public Evaluator {
  public:
@@ -63,7 +65,7 @@ class WarmStart : public testing::Test {
     StageRun stage(folder_.path() / "slice.json", folder_.path(), output, checkpoint, 1);
     write_warm_start(checkpoint, table_, elites, 100, {});
     table_.generations = 100 + more;
-    evolve(stage, table_, *make_variation({3}, table_), Echo(), Seed(2));
+    evolve(stage, table_, *make_variation(kThreeGenes, table_), Echo(), Seed(2));
     return read_elites(output);
   }
 
@@ -157,7 +159,7 @@ TEST_F(WarmStart, EvolvesOnFromWhatTheElitesAreHere) {
                                 output = folder_.path() / fmt::format("{}.h5", more);
     StageRun stage(folder_.path() / "slice.json", folder_.path(), output, checkpoint, 1);
     table_.generations = 100;
-    evolve_on(stage, table_, more, elites, *make_variation({3}, table_), Elsewhere(), Seed(2));
+    evolve_on(stage, table_, more, elites, *make_variation(kThreeGenes, table_), Elsewhere(), Seed(2));
     return read_elites(output);
   };
   const Elites kept = evolved(0), grown = evolved(20);
