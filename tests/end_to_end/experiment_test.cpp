@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/drawing/draw.h"
 #include "tests/end_to_end/expect_format.h"
@@ -121,7 +122,7 @@ void expect_python_reads(const fs::path& out) {
   EXPECT_THAT(files("layer2 0"), ElementsAre("layer2_n1/00.csv", "layer2_n10/00.csv", "layer2_n100/00.csv",
                                              "layer2_n10_short/00.csv"));
   for (const auto& [words, why] : {std::pair{"csv to", "FORMAT 'csv': expected pyribs"},
-                                   std::pair{"'' to", "FORMAT '': expected pyribs"},
+                                   std::pair{"\"\" to", "FORMAT '': expected pyribs"},
                                    std::pair{"qdax to layr4", "STAGE 'layr4': no repertoires of it"},
                                    std::pair{"qdax to layer4 7", "REP 07: no repertoire"},
                                    std::pair{"qdax to layer4 x", "REP 'x': expected the number"}}) {
@@ -134,9 +135,10 @@ void expect_python_reads(const fs::path& out) {
   const fs::path place = out / "python";
   fs::create_directories(place / "out");
   fs::create_directory_symlink(out, place / "out/reduced");
-  const ShellResult printed = shell("cd " + place.string() +
-                                    " && awk '/^```$/ { in_block = 0 } in_block; /^```python$/ "
-                                    "{ in_block = 1 }' " HBR_SOURCE_DIR "/README.md | /usr/bin/python3 -");
+  const std::string readme = read_whole(HBR_SOURCE_DIR "/README.md"), opening = "```python\n";
+  const std::size_t begin = readme.find(opening) + opening.size();
+  std::ofstream(place / "example.py") << readme.substr(begin, readme.find("```", begin) - begin);
+  const ShellResult printed = shell("cd " + place.string() + " && /usr/bin/python3 example.py");
   EXPECT_EQ(printed.code, 0) << printed.text;
   const Elites digits = read_elites(out / "layer4/00.h5");
   Eigen::Index best = 0;
