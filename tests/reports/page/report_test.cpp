@@ -167,8 +167,8 @@ std::vector<std::string> all_of(const std::string& page, const char* pattern) {
 TEST_F(ReportTest, SectionsStandInTheOrderInWhichTheyAreRead) {
   write_report(full(), folder_ / "report");
   const std::string page = read(folder_ / "report/index.html");
-  const std::vector<std::string> expected{"summary", "layers",   "explorer", "robots",    "claims",
-                                          "figures", "readings", "speed",    "provenance"};
+  const std::vector<std::string> expected{"summary", "layers",   "robots", "claims",
+                                          "figures", "readings", "speed",  "provenance"};
   EXPECT_EQ(all_of(page, "<section id=\"([^\"]*)\""), expected);
   for (const std::string& section : expected) EXPECT_THAT(page, HasSubstr("href=\"#" + section + "\""));
   EXPECT_THAT(page, HasSubstr("<a class=\"skip\" href=\"#main\">"));
