@@ -235,7 +235,8 @@ class Choice {
 
   [[noreturn]] void refuse(std::vector<std::string> names, const std::vector<FlowTensor>& way) const {
     constexpr std::size_t kMost = 12;
-    std::ranges::stable_partition(names, [&](const std::string& name) { return is_only_way(way, name); });
+    std::stable_partition(names.begin(), names.end(),
+                          [&](const std::string& name) { return is_only_way(way, name); });
     std::vector<std::string> candidates;
     for (const std::string& name : names) {
       std::string what;

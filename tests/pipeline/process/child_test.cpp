@@ -77,7 +77,7 @@ TEST(Output, IsOfTheEnvironmentThatIsGiven) {
 // In a process of its own: whoever was asked to end starts nothing any more.
 TEST(RunChild, HandsSignalsOnAndThenRunsNothing) {
   const Ending ending = wait_for(start_work([] {
-    const ChildResult first = run_child({"sh", "-c", "kill -TERM $PPID; sleep 600"}),
+    const ChildResult first = run_child({"sh", "-c", "kill -TERM $PPID; exec sleep 600"}),
                       second = run_child({"sh", "-c", "exit 5"});
     return first.signal == SIGTERM && first.stopped && second.signal == SIGTERM && second.stopped ? 0 : 1;
   }));
