@@ -1,4 +1,4 @@
-// The page's own texts, from page.html, page.css and page.js, compiled in: a report needs no path.
+// The page's own texts, from page.html, page.css and scripts/*.js, compiled in: a report needs no path.
 #pragma once
 
 namespace hbr {

@@ -55,6 +55,7 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
       {"profile", escape_html(content.profile)},
       {"css", kPageCss},
       {"js", kPageJs},
+      {"packs", ""},
       {"best_digits", best_digits(content.artifacts)},
       {"hierarchy", hierarchy_diagram(content.layers)},
       {"verdicts", verdict_tiles(content.claims)},

@@ -10,6 +10,9 @@ namespace hbr {
 // & < > " ' as entities: safe in text and in quoted attributes.
 std::string escape_html(std::string_view text);
 
+// As RFC 4648 has it, with padding.
+std::string base64(std::string_view bytes);
+
 // "data:image/png;base64,..." of the bytes.
 std::string data_uri(std::string_view bytes, std::string_view media_type);
 
