@@ -2,6 +2,8 @@
 
 namespace hbr {
 
+using nlohmann::literals::operator""_json_pointer;
+
 void plan_statistics(Plan& plan) {
   Inputs measured;
   std::vector<std::string> layers;
@@ -9,7 +11,8 @@ void plan_statistics(Plan& plan) {
   nlohmann::json generations = nlohmann::json::object();
   for (const Node& node : plan.graph()) {
     if (node.output.ends_with(".h5")) measured.emplace_back(node.output, node.output);
-    if (node.settings.contains("search")) generations[node.stage] = node.settings["search"]["generations"];
+    if (const auto count = "/search/generations"_json_pointer; node.settings.contains(count))
+      generations[node.stage] = node.settings[count];
   }
   plan.add({"statistics",
             "statistics",

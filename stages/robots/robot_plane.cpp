@@ -2,14 +2,16 @@
 // (method: transfer).
 #include <fmt/core.h>
 
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
+#include "models/robot/plane/find_plane.h"
 #include "models/robot/plane/missing_part.h"
 #include "models/robot/plane/plane_file.h"
 #include "models/robot/plane/refine_plane.h"
 #include "models/robot/plane/robot_on_plane.h"
-#include "models/robot/plane/search_plane.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/artifact/stage.h"
@@ -55,6 +57,26 @@ std::vector<Eigen::Vector2d> some_of(const std::vector<Eigen::Vector2d>& points,
   return some;
 }
 
+// Robots with many links take minutes: they say how far they are, at most every few seconds.
+class Progress {
+ public:
+  explicit Progress(const std::string& robot) : robot_(robot), last_(Clock::now()) {}
+  void tell(const std::string& what) {
+    if (Clock::now() - last_ < std::chrono::seconds(10)) return;
+    fmt::print(stderr, "{} {}\n", robot_, what);
+    last_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string robot_;
+  Clock::time_point last_;
+};
+
+const char* described(BoardKind kind) {
+  return kind == BoardKind::level ? "a level" : kind == BoardKind::upright ? "an upright" : "a leaning";
+}
+
 void run(StageRun& stage) {
   const auto settings = settings_from_json<PlaneStage>(stage.settings(), stage.name());
   const Seed seed = Seed(settings.seed).child("robot_plane").child(settings.robot.name);
@@ -71,15 +93,22 @@ void run(StageRun& stage) {
   // It stands nowhere yet.
   const RobotOnPlane robot = make_robot(settings.robot, DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
   const Clearance clearance(robot.body(), robot.tip());
+  Progress progress(robot.name());
   const ReachMap map(robot.body(), robot.tip(), clearance, settings.search.samples, kMargin,
                      seed.child("map"), workers);
+  progress.tell("knows where its pen can be");
   const Reach kept_off_limits(robot.body(), robot.tip(), clearance, kSamples, kMargin, seed.child("fit"));
   const double tolerance = settings.robot.off_plane_tolerance;
+  const double floor =
+      settings.search.below_floor ? -std::numeric_limits<double>::infinity() : floor_under(robot.body());
+  const BoardRules rules(clearance, board_kind_named(settings.search.board), floor);
+  progress.tell("looks for a board");
   const Board board =
-      find_plane(robot.body(), clearance, map, kept_off_limits, some_of(points, settings.search.points),
-                 settings.half_side, kStrict * tolerance, settings.search, seed.child("search"), workers)
+      find_plane(robot.body(), rules, map, kept_off_limits, some_of(points, settings.search.points),
+                 settings.half_side, kStrict * tolerance, settings.search, workers)
           .board;
 
+  progress.tell("has a board; counts what it reaches there");
   const Reach whole(robot.body(), robot.tip(), clearance, kSamples, 0, seed.child("coverage"));
   const std::vector<double> distances = distances_to_reach(board, whole, points, workers);
 
@@ -87,8 +116,9 @@ void run(StageRun& stage) {
   stage.write_settings(file);
   const double covered = write_plane(file, board.plane, points, distances, tolerance);
   file.close();
-  fmt::print(stderr, "{} reaches {:.2f} % of the arm's {} points at {:.3g} times its size\n", robot.name(),
-             100 * covered, points.size(), board.plane.scale);
+  fmt::print(stderr, "{} reaches {:.2f} % of the arm's {} points at {:.3g} times its size, on {} board\n",
+             robot.name(), 100 * covered, points.size(), board.plane.scale,
+             described(board_kind(board.plane)));
   if (const std::string missing = missing_part(points, distances, tolerance); !missing.empty())
     fmt::print(stderr, "{} misses {}\n", robot.name(), missing);
 }

@@ -37,6 +37,8 @@ double strength(UrdfText& text, const XMLElement& joint, const char* attribute, 
   return 0;
 }
 
+constexpr int kMostTurns = 300;  // of a joint with limits, were they degrees
+
 void read_limits(UrdfText& text, const XMLElement& element, Joint& joint) {
   const XMLElement* limit = element.FirstChildElement("limit");
   const bool needed = joint.kind != Joint::Kind::continuous;
@@ -50,9 +52,17 @@ void read_limits(UrdfText& text, const XMLElement& element, Joint& joint) {
   if (!limit) text.odd(element, "has no <limit>, which it needs to move: taken as standing at 0");
   joint.lower = text.number(limit, "lower", 0, kMostLimit);
   joint.upper = text.number(limit, "upper", 0, kMostLimit);
-  if (joint.lower <= joint.upper) return;
-  text.odd(*limit, "has lower '{:g}' above upper '{:g}': exchanged", joint.lower, joint.upper);
-  std::swap(joint.lower, joint.upper);
+  if (joint.lower > joint.upper) {
+    text.odd(*limit, "has lower '{:g}' above upper '{:g}': exchanged", joint.lower, joint.upper);
+    std::swap(joint.lower, joint.upper);
+  }
+  if (joint.kind == Joint::Kind::prismatic || joint.upper - joint.lower <= kMostTurns * 2 * std::numbers::pi)
+    return;
+  text.odd(*limit, "has lower '{:g}' and upper '{:g}', more than {} turns: taken as turning without end",
+           joint.lower, joint.upper, kMostTurns);
+  joint.kind = Joint::Kind::continuous;
+  joint.lower = -std::numbers::pi;
+  joint.upper = std::numbers::pi;
 }
 
 // Has a follower follow what moves by itself, or stands still, at the end of the chain of those that it

@@ -91,6 +91,13 @@ std::vector<int> Reach::closest(const std::vector<int>& samples, const Eigen::Ve
   return result;
 }
 
+std::optional<Reach::Nearest> Reach::continued(const Eigen::Vector3d& target, const Board& board,
+                                               const Eigen::VectorXd& before, double enough) const {
+  const Eigen::VectorXd joints = descend(target, before, enough);
+  if (!clearance_.clear(joints.data(), board)) return std::nullopt;
+  return Nearest{joints, target - body_.position(tip_, joints.data())};
+}
+
 Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, const Board& board, int starts,
                               double enough) const {
   const std::vector<int>& facing = facing_[nearest_direction(board.plane.normal())];
@@ -109,7 +116,7 @@ Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, const Board& board,
       if (least <= enough || std::ranges::count(tried, start) > 0) continue;
       tried.push_back(start);
       offer(sample(start));
-      offer(descend(target, start, enough));
+      offer(descend(target, sample(start), enough));
     }
   }
   if (best.joints.size() == 0) {
@@ -119,9 +126,8 @@ Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, const Board& board,
   return best;
 }
 
-Eigen::VectorXd Reach::descend(const Eigen::Vector3d& target, int start, double enough) const {
+Eigen::VectorXd Reach::descend(const Eigen::Vector3d& target, Eigen::VectorXd joints, double enough) const {
   const Eigen::Index dof = body_.dof();
-  Eigen::VectorXd joints = sample(start);
   ceres::Problem problem;
   problem.AddResidualBlock(new TipError(body_, tip_, target), nullptr, joints.data());
   for (int k = 0; k < static_cast<int>(dof); ++k) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "models/robot/plane/clearance.h"
@@ -28,13 +29,18 @@ class Reach {
   // is the nearest of the first samples. Thread-safe.
   Nearest nearest(const Eigen::Vector3d& target, const Board& board, int starts, double enough) const;
 
+  // The same from the joints where a target near this one was reached, and from there alone; nothing where
+  // that runs into the robot itself or into the board.
+  std::optional<Nearest> continued(const Eigen::Vector3d& target, const Board& board,
+                                   const Eigen::VectorXd& before, double enough) const;
+
  private:
   // Of the samples those with the tip nearest to the target, the nearest first.
   std::vector<int> closest(const std::vector<int>& samples, const Eigen::Vector3d& target, int count) const;
   Eigen::VectorXd sample(int i) const {
     return Eigen::Map<const Eigen::VectorXd>(&joints_[i * body_.dof()], body_.dof());
   }
-  Eigen::VectorXd descend(const Eigen::Vector3d& target, int start, double enough) const;
+  Eigen::VectorXd descend(const Eigen::Vector3d& target, Eigen::VectorXd joints, double enough) const;
 
   const Body& body_;
   int tip_;

@@ -1,5 +1,6 @@
 #include "models/robot/plane/reach_map.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,13 @@ namespace {
 
 constexpr int kCells = 40;  // along the longest side of the box
 constexpr double kNone = 1e12;
+
+Eigen::Vector3d least_spread(const std::vector<Eigen::Vector3d>& places) {
+  const auto n = static_cast<Eigen::Index>(places.size());
+  const Eigen::Map<const Eigen::Matrix3Xd> all(places[0].data(), 3, n);
+  const Eigen::Matrix3Xd centred = all.colwise() - all.rowwise().mean();
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(centred * centred.transpose()).eigenvectors().col(0);
+}
 
 // Squared distances along a line of n cells, `step` apart: f[i] becomes min over j of (i - j)^2 + f[j]
 // (Felzenszwalb and Huttenlocher 2012, lower envelope of parabolas).
@@ -39,6 +47,20 @@ void lower_envelope(double* f, int n, std::ptrdiff_t step) {
   }
 }
 
+// Whether the tip moves along a curve only, whatever the joints [configurations x dof] do.
+bool only_a_curve(const Body& body, int tip, const std::vector<double>& joints) {
+  const auto dof = static_cast<std::size_t>(body.dof());
+  for (std::size_t i = 0; i + dof <= std::min<std::size_t>(joints.size(), 100 * dof); i += dof) {
+    Eigen::Matrix3Xd slopes;
+    body.position(tip, &joints[i], &slopes);
+    slopes *= (body.upper() - body.lower()).asDiagonal();
+    const Eigen::Vector3d strengths =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(slopes * slopes.transpose()).eigenvalues();
+    if (strengths[1] > 1e-9 * strengths[2]) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 ReachMap::ReachMap(const Body& body, int tip, const Clearance& clearance, int samples, double margin,
@@ -56,7 +78,12 @@ ReachMap::ReachMap(const Body& body, int tip, const Clearance& clearance, int sa
     }
     body.positions(tip, static_cast<Eigen::Index>(end - begin), &joints[begin * dof], &tips[begin]);
   });
+  if (only_a_curve(body, tip, joints))
+    throw InputError("{}: {} move '{}' along a curve; expected joints that move it over a plane",
+                     body.model().path.string(), fmt::join(body.moving(), ", "),
+                     body.model().links[tip].name);
   for (const Eigen::Vector3d& place : tips) box_.extend(place);
+  flattest_ = least_spread(tips);
   cell_ = std::max(box_.sizes().maxCoeff() / kCells, 1e-9);
   size_ = (box_.sizes() / cell_).array().ceil().cast<int>().max(1);
 

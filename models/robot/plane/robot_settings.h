@@ -12,16 +12,20 @@ namespace hbr {
 
 // The search for a robot's drawing plane.
 struct PlaneSearchSettings {
+  std::string board;
+  bool below_floor = false;
   int samples = 0;
-  int generations = 0;
   int refined = 0;
   int points = 0;
 };
 
 template <class Fields>
 void describe(Fields& f, PlaneSearchSettings& s) {
+  f.choice("board", s.board, {"any", "level", "upright", "leaning"},
+           "the kind of board that is sought: its normal within 20 degrees of the vertical (level) or of the "
+           "horizontal (upright), or between (leaning)");
+  f.flag("below_floor", s.below_floor, "whether the board may reach below what the robot stands on");
   f.number("samples", s.samples, Range{1, 1e8}, "configurations that tell where a robot's tip can be");
-  f.number("generations", s.generations, Range{1, 1e6}, "generations of 200 planes each");
   f.number("refined", s.refined, Range{1, 100}, "planes of the search that are refined");
   f.number("points", s.points, Range{20, 1e6},
            "of the arm's, that the plane is fitted to; coverage counts all");

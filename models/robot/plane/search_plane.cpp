@@ -3,175 +3,155 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
-
-#include "models/robot/plane/refine_plane.h"
-#include "pipeline/core/check.h"
-#include "pipeline/qd/grid_archive.h"
-#include "pipeline/qd/search.h"
 
 namespace hbr {
 namespace {
 
-constexpr int kGenes = 6;   // origin, azimuth, elevation, scale
-constexpr int kTurns = 24;  // cells of the azimuth, and of the elevation
-constexpr int kBatch = 200;
-constexpr double kSmallest = 1. / 8;  // of the greatest scale
+constexpr double kSmallest = 1. / 32;  // of the largest scale that could fit the map's box
+constexpr double kGrowth = 1.03;       // a step of the scale
 constexpr double kApart = 20 * std::numbers::pi / 180;
-constexpr double kLarge = 1.03, kSmall = 1.01;  // steps of the scale
-constexpr int kSteps = 12;
-constexpr double kLevel = 0.1;   // what a level board is worth of an upright one
-constexpr double kFull = 0.995;  // share of the points that is as good as all
+constexpr double kMissing = 0.005;  // share of the points that may be missing
+constexpr int kHalvings = 5;        // of the steps by which a board is moved and turned
 
-double radius_of(const std::vector<Eigen::Vector2d>& points) {
-  double radius = 0;
-  for (const Eigen::Vector2d& p : points) radius = std::max(radius, p.norm());
-  return radius;
-}
+// A board's place, as the search varies it.
+struct BoardPlace {
+  Eigen::Vector3d origin;
+  double azimuth, elevation, scale;
+};
 
-class PlaneEvaluator final : public Evaluator {
+class BoardSearch {
  public:
-  PlaneEvaluator(const ReachMap& map, const Clearance& clearance, const std::vector<Eigen::Vector2d>& points,
-                 double half_side, const Eigen::Vector3d& eye)
-      : map_(map),
-        clearance_(clearance),
-        points_(points),
-        half_side_(half_side),
-        eye_(eye),
-        radius_(radius_of(points)),
-        largest_(map.box().diagonal().norm() / 2 / radius_) {}
-  int descriptor_size() const override { return 2; }
-  bool deterministic() const override { return true; }
-
-  Board board(const float* genes) const {
-    const Eigen::Vector3d share(genes[0], genes[1], genes[2]);
-    return {DrawingPlane::facing(map_.box().min() + share.cwiseProduct(map_.box().sizes()),
-                                 (2 * genes[3] - 1) * std::numbers::pi, (genes[4] - 0.5) * std::numbers::pi,
-                                 largest_ * (kSmallest + (1 - kSmallest) * genes[5])),
-            half_side_};
+  BoardSearch(const ReachMap& map, const BoardRules& rules, const std::vector<Eigen::Vector2d>& points,
+              double half_side, const Eigen::Vector3d& eye)
+      : map_(map), rules_(rules), points_(points), half_side_(half_side), eye_(eye) {
+    for (const Eigen::Vector2d& p : points) radius_ = std::max(radius_, p.norm());
+    most_missing_ = static_cast<int>(kMissing * static_cast<double>(points.size()));
+    largest_ = map.box().diagonal().norm() / 2 / std::max(radius_, 1e-9);
   }
 
-  void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed) const override {
-    for (Eigen::Index i = begin; i < end; ++i) {
-      const float* genes = batch.genome.row(i).data();
-      const Board candidate = board(genes);
-      batch.valid[i] = (eye_ - candidate.plane.origin).dot(candidate.plane.normal()) >= -map_.cell();
-      batch.descriptor.row(i) << genes[3], genes[4];
-      if (batch.valid[i]) batch.fitness[i] = static_cast<float>(fitness(candidate));
-    }
+  Board board(const BoardPlace& pose) const {
+    return {DrawingPlane::facing(pose.origin, pose.azimuth, pose.elevation, pose.scale), half_side_};
+  }
+
+  // The best board in a direction over every cell as its origin; of scale 0 where none covers the points.
+  BoardPlace best_facing(const Eigen::Vector3d& normal) const {
+    const double elevation = -std::asin(std::clamp(normal[2], -1., 1.));
+    const int facing = nearest_direction(normal);
+    const bool vertical = std::hypot(normal[0], normal[1]) < 1e-6;
+    BoardPlace best{{}, 0, 0, 0};
+    double least = kSmallest * largest_;  // worth
+    const Eigen::Vector3d sizes = map_.box().sizes();
+    const Eigen::Vector3i cells = (sizes / map_.cell()).array().ceil().cast<int>().max(1);
+    for (int z = 0; z < cells[2]; ++z)
+      for (int y = 0; y < cells[1]; ++y)
+        for (int x = 0; x < cells[0]; ++x) {
+          const Eigen::Vector3d origin =
+              map_.box().min() +
+              sizes.cwiseProduct(
+                  Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5).cwiseQuotient(cells.cast<double>()));
+          // Of a level board, up is away from the robot.
+          const Eigen::Vector3d away = vertical ? Eigen::Vector3d(origin - eye_) : Eigen::Vector3d(-normal);
+          const double azimuth = std::atan2(away[1], away[0]);
+          grow({origin, azimuth, elevation, 0}, facing, least, best);
+        }
+    return best;
+  }
+
+  // Moves, turns and grows by the steps that make it better, then by halved ones.
+  BoardPlace climbed(BoardPlace best) const {
+    double least = rules_.worth(board(best)), move = 2 * map_.cell(), turn = kApart / 2;
+    for (int halving = 0; halving < kHalvings; ++halving, move /= 2, turn /= 2)
+      for (bool better = true; better;) {
+        better = false;
+        for (int axis = 0; axis < 5; ++axis)
+          for (const double way : {-1., 1.}) {
+            BoardPlace tried = best;
+            if (axis < 3) tried.origin[axis] += way * move;
+            if (axis == 3) tried.azimuth += way * turn;
+            if (axis == 4)
+              tried.elevation =
+                  std::clamp(best.elevation + way * turn, -std::numbers::pi / 2, std::numbers::pi / 2);
+            better |= grow(tried, nearest_direction(board(tried).plane.normal()), least, best);
+          }
+      }
+    return best;
   }
 
  private:
-  // All covered: what it is worth, in (0, 1]. Else minus the
-  // share of the points that are missing and minus how far they are on average, in radii of the drawing.
-  double fitness(const Board& candidate) const {
-    const int facing = nearest_direction(candidate.plane.normal());
-    double missing = 0, away = 0;
-    for (const Eigen::Vector2d& p : points_) {
-      const double beyond = map_.distance(candidate.plane.to_robot(p), facing) - 1.001 * map_.cell();
-      if (beyond <= 0) continue;  // an empty cell beside a filled one may be for want of samples
-      ++missing;
-      away += beyond;
+  // The largest board there whose worth is above `least` takes the place of `best`.
+  bool grow(BoardPlace pose, int facing, double& least, BoardPlace& best) const {
+    bool better = false;
+    for (;;) {
+      pose.scale = least * kGrowth;
+      if (!covers(board(pose), facing)) return better;
+      // A scale is worth so much at most; where it is worth less, a larger one must do.
+      for (double worth = 0; (worth = rules_.worth(board(pose))) < least * kGrowth * (1 - 1e-9);) {
+        pose.scale *= least * kGrowth / worth;
+        if (pose.scale > largest_ || !covers(board(pose), facing)) return better;
+      }
+      least = rules_.worth(board(pose));
+      best = pose;
+      better = true;
     }
-    if (missing <= (1 - kFull) * static_cast<double>(points_.size()))
-      return plane_worth(candidate, clearance_) / largest_;
-    return -(missing + away / (candidate.plane.scale * radius_)) / static_cast<double>(points_.size());
+  }
+
+  bool covers(const Board& candidate, int facing) const {
+    const Eigen::Vector3d normal = candidate.plane.normal();
+    if ((eye_ - candidate.plane.origin).dot(normal) < -map_.cell() || !rules_.allows(candidate)) return false;
+    int missing = 0;
+    for (const Eigen::Vector2d& p : points_)
+      if (map_.distance(candidate.plane.to_robot(p), facing) > 1.001 * map_.cell() &&
+          ++missing > most_missing_)
+        return false;
+    return true;
   }
 
   const ReachMap& map_;
-  const Clearance& clearance_;
+  const BoardRules& rules_;
   const std::vector<Eigen::Vector2d>& points_;
   double half_side_;
   Eigen::Vector3d eye_;
-  double radius_, largest_;
+  double radius_ = 0, largest_ = 0;
+  int most_missing_ = 0;
 };
 
-// Where the robot looks from: the first of the joints that draw.
-Eigen::Vector3d shoulder(const Body& body) {
-  int first = static_cast<int>(body.model().joints.size());
-  for (const std::string& name : body.moving()) first = std::min(first, body.model().joint(name));
-  const Eigen::VectorXd middle = (body.lower() + body.upper()) / 2;
-  return body.link_poses(middle)[body.model().joints[first].child].translation();
+std::vector<Eigen::Vector3d> directions(const ReachMap& map) {
+  std::vector<Eigen::Vector3d> result{{0, 0, 1}, {0, 0, -1}, map.flattest(), -map.flattest()};
+  for (int i = 0; i < kDirections; ++i) result.push_back(direction(i));
+  return result;
 }
 
 }  // namespace
 
-double plane_worth(const Board& board, const Clearance& clearance) {
-  const double upright = kLevel + (1 - kLevel) * std::pow(board.plane.v[2], 4);
-  return board.plane.scale * upright * (clearance.pierced(board) ? 0.5 : 1);
-}
-
-bool better(const FoundPlane& a, const FoundPlane& b) {
-  if (const double full = std::min(a.covered, kFull), other = std::min(b.covered, kFull); full != other)
-    return full > other;
-  return a.worth > b.worth;
-}
-
-std::vector<Board> search_planes(const ReachMap& map, const Clearance& clearance,
+std::vector<Board> search_planes(const ReachMap& map, const BoardRules& rules,
                                  const std::vector<Eigen::Vector2d>& points, double half_side,
-                                 const Eigen::Vector3d& eye, int most, const PlaneSearchSettings& settings,
-                                 Seed seed, Workers& workers) {
-  const PlaneEvaluator evaluator(map, clearance, points, half_side, eye);
-  GridArchive archive(kGenes, {2, kTurns, 0, 1});
-  UniformSelector selector;
-  const PolynomialMutation variation(kGenes, 10, 0.5f);
-  Search search(archive, selector, variation, evaluator, {settings.generations, kBatch, settings.generations},
-                seed);
-  while (!search.done()) search.step(workers);
+                                 const Eigen::Vector3d& eye, int most, Workers& workers) {
+  const BoardSearch search(map, rules, points, half_side, eye);
+  const std::vector<Eigen::Vector3d> normals = directions(map);
+  std::vector<BoardPlace> found(normals.size());
+  workers.for_each(normals.size(), [&](std::size_t i) { found[i] = search.best_facing(normals[i]); });
+  std::erase_if(found, [](const BoardPlace& pose) { return pose.scale == 0; });
 
-  const Elites elites = archive.store().in_id_order();
-  std::vector<Eigen::Index> order(elites.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater(), [&](Eigen::Index i) { return elites.objective[i]; });
+  const auto best_first = [&](std::vector<BoardPlace>& poses) {
+    std::stable_sort(poses.begin(), poses.end(), [&](const BoardPlace& a, const BoardPlace& b) {
+      return rules.worth(search.board(a)) > rules.worth(search.board(b));
+    });
+  };
+  best_first(found);
+  found.resize(std::min<std::size_t>(found.size(), normals.size() / 4));
+  workers.for_each(found.size(), [&](std::size_t i) { found[i] = search.climbed(found[i]); });
+  best_first(found);
+
   std::vector<Board> boards;
-  for (const Eigen::Index i : order) {
-    const Board candidate = evaluator.board(elites.solution.row(i).data());
+  for (const BoardPlace& pose : found) {
+    const Board candidate = search.board(pose);
     const auto same = [&](const Board& other) {
       return candidate.plane.normal().dot(other.plane.normal()) > std::cos(kApart);
     };
-    if (static_cast<int>(boards.size()) < most && std::ranges::none_of(boards, same))
+    if (static_cast<int>(boards.size()) < most && std::none_of(boards.begin(), boards.end(), same))
       boards.push_back(candidate);
   }
-  if (boards.empty())
-    throw InputError("no plane faces the robot in {} generations of the search; give it more",
-                     settings.generations);
   return boards;
-}
-
-FoundPlane find_plane(const Body& body, const Clearance& clearance, const ReachMap& map, const Reach& reach,
-                      const std::vector<Eigen::Vector2d>& points, double half_side, double tolerance,
-                      const PlaneSearchSettings& settings, Seed seed, Workers& workers) {
-  const auto measured = [&](const Board& board) {
-    const auto distances = distances_to_reach(board, reach, points, workers);
-    const auto near = std::ranges::count_if(distances, [&](double d) { return d <= tolerance; });
-    return FoundPlane{board, static_cast<double>(near) / static_cast<double>(points.size()),
-                      plane_worth(board, clearance)};
-  };
-  const auto refined = [&](const Board& start) {
-    const FoundPlane found = measured(start);
-    return found.covered >= kFull ? found : measured(refine_plane(start, reach, points, workers));
-  };
-  const auto scaled = [](Board board, double factor) {
-    board.plane.scale *= factor;
-    return board;
-  };
-  FoundPlane best;
-  for (const Board& start : search_planes(map, clearance, points, half_side, shoulder(body), settings.refined,
-                                          settings, seed, workers)) {
-    FoundPlane smaller = refined(start), found = smaller;
-    for (int i = 0; i < kSteps && found.covered < kFull; ++i) {
-      smaller = refined(scaled(smaller.board, 1 / kLarge));
-      if (better(smaller, found)) found = smaller;
-    }
-    if (best.board.plane.scale == 0 || better(found, best)) best = found;
-  }
-  for (const double step : {kLarge, kSmall})
-    for (int i = 0; i < kSteps && best.covered >= kFull; ++i) {
-      const FoundPlane larger = refined(scaled(best.board, step));
-      if (!better(larger, best)) break;
-      best = larger;
-    }
-  return best;
 }
 
 }  // namespace hbr

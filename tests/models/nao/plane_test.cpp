@@ -3,9 +3,9 @@
 
 #include <numbers>
 
+#include "models/robot/plane/find_plane.h"
 #include "models/robot/plane/refine_plane.h"
 #include "models/robot/plane/robot_on_plane.h"
-#include "models/robot/plane/search_plane.h"
 #include "tests/models/nao/right_arm.h"
 
 namespace hbr {
@@ -43,7 +43,7 @@ TEST(NaoPlane, RefinementCoversTheArmsArea) {
     const RobotOnPlane robot = make_robot(nao_right_arm(), start);
     const Clearance clearance(robot.body(), robot.tip());
     const Reach reach(robot.body(), robot.tip(), clearance, 20000, .05, Seed(2));
-    return refine_plane({start, kHalfSide}, reach, fit, workers).plane;
+    return refine_plane({start, kHalfSide}, BoardRules(clearance, BoardKind::any), reach, fit, workers).plane;
   };
   const DrawingPlane good = DrawingPlane::facing({.143, -.152, .090}, -21.9 * rad, -4 * rad, .258);
   EXPECT_EQ(covered(refined(good), all), 1);
@@ -60,8 +60,11 @@ TEST(NaoPlane, SearchFindsOneAsGoodAsTheKnown) {
   const Clearance clearance(robot.body(), robot.tip());
   const ReachMap map(robot.body(), robot.tip(), clearance, 200000, .05, Seed(3), workers);
   const Reach reach(robot.body(), robot.tip(), clearance, 20000, .05, Seed(2));
-  const FoundPlane found = find_plane(robot.body(), clearance, map, reach, fit, kHalfSide, 1.5e-4,
-                                      {200000, 500, 1, 0}, Seed(4), workers);
+  PlaneSearchSettings settings;
+  settings.refined = 1;
+  const FoundPlane found =
+      find_plane(robot.body(), BoardRules(clearance, BoardKind::any, floor_under(robot.body())), map, reach,
+                 fit, kHalfSide, 1.5e-4, settings, workers);
   EXPECT_GE(found.covered, .99);
   EXPECT_GT(covered(found.board.plane, all), .99);
   EXPECT_GT(found.board.plane.scale, .258);

@@ -146,10 +146,21 @@ TEST(OddJoints, HaveTheLimitsThatAreMeant) {
   EXPECT_EQ(turns.lower, -std::numbers::pi);
   EXPECT_EQ(turns.upper, std::numbers::pi);
   EXPECT_EQ(turns.velocity, 3);
+  // Some write limits that nothing comes to.
+  const std::string far = R"(lower="-1e4" upper="1e4" effort="1" velocity="1")",
+                    near = R"(lower="-720" upper="720" effort="1" velocity="1")";
+  const Joint endless = load_joint("revolute", limits(far)).joints[0];
+  EXPECT_EQ(endless.kind, Joint::Kind::continuous);
+  EXPECT_EQ(endless.lower, -std::numbers::pi);
+  EXPECT_EQ(endless.upper, std::numbers::pi);
+  EXPECT_EQ(load_joint("revolute", limits(near)).joints[0].upper, 720);
+  EXPECT_EQ(load_joint("prismatic", limits(far)).joints[0].upper, 1e4);
   EXPECT_EQ(load_joint("prismatic", limits(R"(upper="2" effort="1" velocity="1")")).joints[0].lower, 0);
   for (const auto& [type, inside, words] :
        {std::tuple("revolute", limits(R"(lower="2" upper="-1" effort="1" velocity="1")"),
                    ":6: <limit> of joint 'j' has lower '2' above upper '-1': exchanged"),
+        {"revolute", limits(R"(lower="-1e4" upper="1e4" effort="1" velocity="1")"),
+         "has lower '-10000' and upper '10000', more than 300 turns: taken as turning without end"},
         {"revolute", "", "joint 'j' has no <limit>, which it needs to move: taken as standing at 0"},
         {"prismatic", "", "has no <limit>"},
         {"revolute", limits(R"(lower="0" upper="1" velocity="1")"), "names no effort: taken as no limit"},

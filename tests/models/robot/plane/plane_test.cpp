@@ -103,10 +103,11 @@ TEST(RefinePlane, ComesNearerToTheReach) {
     return *std::max_element(distances.begin(), distances.end());
   };
   Workers one(1), two(2);
-  const DrawingPlane plane = refine_plane({start, 0}, reach, line, one).plane;
+  const BoardRules rules(clearance, BoardKind::any);
+  const DrawingPlane plane = refine_plane({start, 0}, rules, reach, line, one).plane;
   EXPECT_GT(worst(start), .5);
   EXPECT_LT(worst(plane), .05);
-  const DrawingPlane again = refine_plane({start, 0}, reach, line, two).plane;
+  const DrawingPlane again = refine_plane({start, 0}, rules, reach, line, two).plane;
   EXPECT_EQ(plane.origin, again.origin);
   EXPECT_EQ(plane.u, again.u);
   EXPECT_EQ(plane.scale, again.scale);

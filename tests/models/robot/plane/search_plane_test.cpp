@@ -1,5 +1,5 @@
 // The search for a drawing plane, on robots whose reach has a closed form.
-#include "models/robot/plane/search_plane.h"
+#include "models/robot/plane/find_plane.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,13 +44,23 @@ TEST(ReachMap, DistancesAreThoseToTheDisc) {
   }
 }
 
-FoundPlane found(const Body& body, const std::vector<Eigen::Vector2d>& points, int threads = 2) {
+struct Wanted {
+  BoardKind kind = BoardKind::any;
+  double floor = -10;
+  int seed = 1;
+  int threads = 2;
+};
+FoundPlane found(const Body& body, const std::vector<Eigen::Vector2d>& points, const Wanted& wanted = {}) {
   const int tip = body.model().link("tip");
   const Clearance clearance(body, tip);
-  Workers workers(threads);
-  const ReachMap map(body, tip, clearance, 100000, .05, Seed(1), workers);
-  const Reach reach(body, tip, clearance, 2000, .05, Seed(2));
-  return find_plane(body, clearance, map, reach, points, .5, .01, {100000, 300, 1, 0}, Seed(3), workers);
+  Workers workers(wanted.threads);
+  const Seed seed(wanted.seed);
+  const ReachMap map(body, tip, clearance, 60000, .05, seed.child("map"), workers);
+  const Reach reach(body, tip, clearance, 2000, .05, seed.child("reach"));
+  PlaneSearchSettings settings;
+  settings.refined = 3;
+  return find_plane(body, BoardRules(clearance, wanted.kind, wanted.floor), map, reach, points, .5, .01,
+                    settings, workers);
 }
 
 // Two links in the plane x = 0 with a pen of 1 m draw on the plane x = 1 alone, from the side of the
@@ -64,34 +74,90 @@ TEST(FindPlane, IsThatOfThePlanarRobot) {
   EXPECT_LT((best.board.plane.origin - Eigen::Vector3d(1, 0, 0)).norm(), .06);
   EXPECT_LT(best.board.plane.normal()[0], -std::cos(.02));
 
-  const FoundPlane again = found(*body, points, 1);
+  const FoundPlane again = found(*body, points, {.threads = 1});
   EXPECT_EQ(again.board.plane.origin, best.board.plane.origin);
   EXPECT_EQ(again.board.plane.u, best.board.plane.u);
   EXPECT_EQ(again.board.plane.scale, best.board.plane.scale);
+}
+
+// An arm of four joints on a table: it turns, and lifts, bends and bends again.
+std::shared_ptr<const Body> on_a_table() {
+  const TestFolder folder;
+  const auto rod = [](double length) {
+    return inertial() +
+           fmt::format(R"(<visual><origin xyz="0 0 {}"/><geometry><cylinder radius="0.02" length="{}"/>
+                                       </geometry></visual>)",
+                       length / 2, length);
+  };
+  const auto turns = [](const std::string& name, const std::string& from, const std::string& to, double up,
+                        const std::string& axis, double limit) {
+    return joint(name, from, to, "revolute",
+                 fmt::format(R"(<origin xyz="0 0 {}"/><axis xyz="{}"/>
+                                <limit lower="{}" upper="{}" effort="1" velocity="1"/>)",
+                             up, axis, -limit, limit));
+  };
+  return std::make_shared<const Body>(
+      load_urdf(folder.write(
+          "table.urdf", robot(link("foot", rod(.1)) + link("turret", rod(.05)) + link("upper", rod(.25)) +
+                              link("fore", rod(.22)) + link("hand", rod(.05)) + link("tip", "") +
+                              turns("pan", "foot", "turret", .1, "0 0 1", 2) +
+                              turns("lift", "turret", "upper", .05, "0 1 0", 1.8) +
+                              turns("elbow", "upper", "fore", .25, "0 1 0", 2.5) +
+                              turns("flex", "fore", "hand", .22, "0 1 0", 1.7) +
+                              joint("pen", "hand", "tip", "fixed", R"(<origin xyz="0 0 0.1"/>)")))),
+      std::vector<std::string>{"pan", "lift", "elbow", "flex"});
+}
+
+double lowest(const Board& board) {
+  double z = 1e9;
+  for (const double x : {-board.half_side, board.half_side})
+    for (const double y : {-board.half_side, board.half_side})
+      z = std::min(z, board.plane.to_robot({x, y})[2]);
+  return z;
+}
+
+TEST(FindPlane, IsTheSameWhateverTheSamples) {
+  const auto body = on_a_table();
+  const auto points = disc(.5, 8);
+  std::vector<FoundPlane> all;
+  for (const int seed : {1, 2, 3})
+    all.push_back(found(*body, points, {.floor = floor_under(*body), .seed = seed}));
+  for (const FoundPlane& plane : all) {
+    EXPECT_GE(plane.covered, .99);
+    EXPECT_GE(lowest(plane.board), -1e-9);
+    EXPECT_EQ(board_kind(plane.board.plane), board_kind(all[0].board.plane));
+    EXPECT_NEAR(plane.worth / all[0].worth, 1, .03);
+  }
+}
+
+TEST(FindPlane, IsOfTheKindThatIsAsked) {
+  const auto body = on_a_table();
+  const auto points = disc(.5, 8);
+  for (const BoardKind kind : {BoardKind::level, BoardKind::upright, BoardKind::leaning}) {
+    const FoundPlane plane = found(*body, points, {.kind = kind, .floor = 0});
+    EXPECT_EQ(board_kind(plane.board.plane), kind);
+    EXPECT_GE(plane.covered, .99);
+    EXPECT_GE(lowest(plane.board), -1e-9);
+    EXPECT_GT(plane.board.plane.scale, .2);
+  }
+  // All of it stands on what is above everything that it reaches.
+  EXPECT_THROW(found(*body, points, {.floor = 2}), InputError);
+}
+
+// One joint, and two that turn about the same axis, draw circles.
+TEST(ReachMap, RefusesJointsThatMoveTheTipAlongACurve) {
+  Workers workers(1);
+  for (const auto& body : {chain({{}}), chain({{0, 0}, {}})}) {
+    const Clearance clearance(*body, body->model().link("tip"));
+    EXPECT_THROW(ReachMap(*body, body->model().link("tip"), clearance, 1000, 0, Seed(1), workers),
+                 InputError);
+  }
 }
 
 TEST(FindPlane, CoverageComesFirst) {
   EXPECT_TRUE(better({{}, 1, .5}, {{}, .98, .6}));
   EXPECT_TRUE(better({{}, 1, .6}, {{}, 1, .5}));
   EXPECT_TRUE(better({{}, .9, .5}, {{}, .8, .6}));
-}
-
-// A box of 1 m about (0.5, 0, 0) that nothing moves: a board in it counts half, one before it whole.
-TEST(FindPlane, ABoardIsWorthMoreBeforeTheRobotThanInIt) {
-  const TestFolder folder;
-  const std::string box =
-      R"(<visual><origin xyz="0.5 0 0"/><geometry><box size="1 1 1"/></geometry></visual>)";
-  const Body body(
-      load_urdf(folder.write("box.urdf", robot(link("a", box) + link("b") + joint("j", "a", "b")))), {"j"});
-  const Clearance clearance(body, body.model().link("b"));
-  const auto worth = [&](double x, double elevation) {
-    return plane_worth({DrawingPlane::facing({x, 0, 0}, 0, elevation, 2), .1}, clearance);
-  };
-  EXPECT_DOUBLE_EQ(worth(1.1, 0), 2);
-  EXPECT_DOUBLE_EQ(worth(.9, 0), 1);
-  EXPECT_DOUBLE_EQ(worth(-.1, 0), 1);  // behind the board
-  EXPECT_NEAR(worth(2, std::numbers::pi / 2), .2, 1e-12);
-  EXPECT_NEAR(worth(2, std::numbers::pi / 4), 2 * (.1 + .9 / 4), 1e-12);
 }
 
 // A shoulder that turns from 0 (to the left, along y) up to 180 degrees and an elbow that is all but stiff: a
