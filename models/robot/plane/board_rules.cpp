@@ -19,8 +19,6 @@ double lowest(const Board& board) {
   return plane.origin[2] - plane.scale * board.half_side * (std::abs(plane.u[2]) + std::abs(plane.v[2]));
 }
 
-constexpr double kOverhead = 0.1;  // what a board is worth that faces straight down
-
 // How far a shape reaches below its middle, m; of its axes these are the parts along z.
 double depth(const Visual& shape, const Eigen::RowVector3d& rises) {
   const Eigen::Vector3d& size = shape.size;
@@ -48,9 +46,10 @@ BoardKind board_kind(const DrawingPlane& plane) {
 
 std::pair<double, double> elevations_about(double elevation) {
   const double steep = std::abs(elevation);
-  if (steep <= kSteep) return {-kSteep, kSteep};
-  const auto [from, to] = steep < kFlat ? std::pair(kSteep, kFlat) : std::pair(kFlat, std::numbers::pi / 2);
-  return elevation < 0 ? std::pair(-to, -from) : std::pair(from, to);
+  const auto [from, to] = steep <= kSteep ? std::pair(0., kSteep)
+                          : steep < kFlat ? std::pair(kSteep, kFlat)
+                                          : std::pair(kFlat, std::numbers::pi / 2);
+  return elevation <= 0 ? std::pair(-to, -from) : std::pair(from, to);
 }
 
 BoardKind board_kind_named(const std::string& name) {
@@ -80,7 +79,8 @@ double floor_under(const Body& body) {
 }
 
 bool BoardRules::allows(const Board& board) const {
-  return (kind_ == BoardKind::any || board_kind(board.plane) == kind_) && lowest(board) >= floor_ - 1e-9;
+  return (kind_ == BoardKind::any || board_kind(board.plane) == kind_) && board.plane.normal()[2] >= -1e-9 &&
+         lowest(board) >= floor_ - 1e-9;
 }
 
 Board BoardRules::raised(Board board) const {
@@ -91,9 +91,7 @@ Board BoardRules::raised(Board board) const {
 double BoardRules::worth(const Board& board) const {
   const BoardKind kind = board_kind(board.plane);
   const double liked = kind == BoardKind::level ? kLevel : kind == BoardKind::leaning ? kLeaning : 1;
-  const double overhang =
-      board.plane.normal()[2] < 0 ? std::max(kOverhead, std::pow(board.plane.v[2], 4)) : 1;
-  return board.plane.scale * liked * overhang * (clearance_.pierced(board) ? 0.5 : 1);
+  return board.plane.scale * liked * (clearance_.pierced(board) ? 0.5 : 1);
 }
 
 }  // namespace hbr

@@ -25,7 +25,8 @@ double floor_under(const Body& body);
 
 class BoardRules {
  public:
-  // Boards of that kind; nothing of their squares lies below `floor` (m). `clearance` must outlive it.
+  // Boards of that kind, none of which hangs over (faces down); nothing of their squares lies below `floor`
+  // (m). `clearance` must outlive it.
   BoardRules(const Clearance& clearance, BoardKind kind,
              double floor = -std::numeric_limits<double>::infinity())
       : clearance_(clearance), kind_(kind), floor_(floor) {}
@@ -38,9 +39,7 @@ class BoardRules {
 
   // The board's scale; of boards about as large an upright one is better by 5 % than a level and by 10 % than
   // a leaning one, so that a robot that turns about level axes, to which all are alike, has one of them
-  // whatever the samples. Less where it faces down, by the fourth power of its angle's cosine (a tenth off at
-  // 13 degrees, half at 34) and down to a tenth overhead; half of it again where what never moves of the
-  // robot stands in it.
+  // whatever the samples. Half of it where what never moves of the robot stands in the board.
   double worth(const Board& board) const;
 
  private:

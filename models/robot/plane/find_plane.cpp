@@ -70,12 +70,16 @@ FoundPlane find_plane(const Body& body, const BoardRules& rules, const ReachMap&
         "joints that move it over a plane, or in [robot_plane] board = \"any\" and below_floor = true",
         body.model().path.string(), rules.floor(), fmt::join(body.moving(), ", "));
   postures.clear();
-  for (const double step : {kLarge, kSmall})
-    for (int i = 0; i < kSteps && best.covered >= kFull; ++i) {
-      const FoundPlane larger = refined(scaled(best.board, step));
-      if (!better(larger, best)) break;
-      best = larger;
-    }
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const double step : {kLarge, kSmall})
+      for (int i = 0; i < kSteps && best.covered >= kFull; ++i) {
+        const FoundPlane larger = refined(scaled(best.board, step));
+        if (!better(larger, best)) break;
+        best = larger;
+        grown = true;
+      }
+  }
   return best;
 }
 

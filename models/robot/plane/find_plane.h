@@ -25,7 +25,7 @@ bool better(const FoundPlane& a, const FoundPlane& b);
 // The best plane for `points`, each of which counts as covered where `reach` comes within `tolerance` (m):
 // the best boards of search_planes, each refined (refine_plane.h) where points are missing, made smaller by
 // steps of 3 % and refined again until all are covered (but for one in two hundred); then the best of them,
-// made larger by steps of 3 % and of 1 % for as long as that makes it better. Deterministic. Throws
+// made larger by steps of 3 % and of 1 % for as long as either makes it better. Deterministic. Throws
 // InputError where no board that the rules allow is within the robot's reach.
 FoundPlane find_plane(const Body& body, const BoardRules& rules, const ReachMap& map, const Reach& reach,
                       const std::vector<Eigen::Vector2d>& points, double half_side, double tolerance,

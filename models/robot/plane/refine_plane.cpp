@@ -18,10 +18,10 @@ constexpr double kMoved = 1. / 8, kTurned = 0.1, kScaled = 0.005;  // of the rad
 constexpr double kArrived = 1e-5;                       // m, from the tip to a point
 constexpr double kLeaned = 5 * std::numbers::pi / 180;  // the most that the elevation changes
 
-// An angle within a range, as a function of a number without bounds: bounds would make the solver timid.
+// An angle inside a range, as a function of a number without bounds: bounds would make the solver timid.
 class BoundAngle {
  public:
-  BoundAngle(double lower, double upper) : middle_((lower + upper) / 2), half_((upper - lower) / 2) {}
+  BoundAngle(double lower, double upper) : middle_((lower + upper) / 2), half_(0.999 * (upper - lower) / 2) {}
   double at(double free) const { return middle_ + half_ * std::tanh(free); }
   double slope(double free) const { return half_ * (1 - std::pow(std::tanh(free), 2)); }
   double free(double angle) const { return std::atanh(std::clamp((angle - middle_) / half_, -0.98, 0.98)); }

@@ -69,8 +69,7 @@ class BoardSearch {
             if (axis < 3) tried.origin[axis] += way * move;
             if (axis == 3) tried.azimuth += way * turn;
             if (axis == 4)
-              tried.elevation =
-                  std::clamp(best.elevation + way * turn, -std::numbers::pi / 2, std::numbers::pi / 2);
+              tried.elevation = std::clamp(best.elevation + way * turn, -std::numbers::pi / 2, 0.);
             better |= grow(tried, nearest_direction(board(tried).plane.normal()), least, best);
           }
       }
@@ -115,9 +114,13 @@ class BoardSearch {
   int most_missing_ = 0;
 };
 
+// Normals of boards that don't hang over: what would do so a little stands upright instead.
 std::vector<Eigen::Vector3d> directions(const ReachMap& map) {
-  std::vector<Eigen::Vector3d> result{{0, 0, 1}, {0, 0, -1}, map.flattest(), -map.flattest()};
+  std::vector<Eigen::Vector3d> result{{0, 0, 1}, map.flattest(), -map.flattest()};
   for (int i = 0; i < kDirections; ++i) result.push_back(direction(i));
+  std::erase_if(result, [](const Eigen::Vector3d& normal) { return normal[2] < -0.3; });
+  for (Eigen::Vector3d& normal : result)
+    if (normal[2] < 0) normal = Eigen::Vector3d(normal[0], normal[1], 0).normalized();
   return result;
 }
 

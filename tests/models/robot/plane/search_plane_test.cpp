@@ -126,7 +126,7 @@ TEST(FindPlane, IsTheSameWhateverTheSamples) {
     EXPECT_GE(plane.covered, .99);
     EXPECT_GE(lowest(plane.board), -1e-9);
     EXPECT_EQ(board_kind(plane.board.plane), board_kind(all[0].board.plane));
-    EXPECT_NEAR(plane.worth / all[0].worth, 1, .03);
+    EXPECT_NEAR(plane.board.plane.scale / all[0].board.plane.scale, 1, .03);
   }
 }
 
