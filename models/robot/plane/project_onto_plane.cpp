@@ -36,7 +36,8 @@ class ProjectionCost final : public ceres::CostFunction {
 Eigen::VectorXd projection_residuals(const RobotOnPlane& robot, const Eigen::Vector3d& target,
                                      const double* joints, Eigen::MatrixXd* jacobian) {
   const Eigen::Index dof = robot.dof();
-  const Eigen::Map<const Eigen::VectorXd> q(joints, dof);
+  // A copy: a sum over memory of others would be taken in an order that depends on where it begins.
+  const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(joints, dof);
   const double share = 1 / std::sqrt(static_cast<double>(dof));  // the squares sum to the variance
   Eigen::Matrix3Xd slopes;
   Eigen::VectorXd residuals(3 + dof);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "pipeline/core/random.h"
 #include "pipeline/hierarchy/joints.h"
 #include "pipeline/hierarchy/point_layer.h"
@@ -53,6 +55,20 @@ TEST(ProjectOntoPlane, ResidualsAreTheDistanceAndTheVariance) {
   const Eigen::VectorXd residuals = projection_residuals(four(), target, q.data());
   EXPECT_NEAR(residuals.head<3>().norm(), (tip(q) - target).norm() / 1e-4, 1e-6);
   EXPECT_NEAR(residuals.tail(4).squaredNorm(), joint_variance(q.data(), 4), 1e-12);
+}
+
+// The same bytes for any number of threads hang on it: each has memory of its own.
+TEST(ProjectOntoPlane, ResidualsDoNotDependOnWhereTheJointsLie) {
+  Rng rng(Seed(5).child("projected"));
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::VectorXd q = random_joints(rng);
+    const Eigen::VectorXd residuals = projection_residuals(four(), {0, 1, 1}, q.data());
+    alignas(64) std::array<double, 12> memory;
+    for (std::size_t offset = 0; offset < 8; ++offset) {
+      std::copy(q.begin(), q.end(), memory.begin() + static_cast<std::ptrdiff_t>(offset));
+      EXPECT_EQ(projection_residuals(four(), {0, 1, 1}, memory.data() + offset), residuals) << offset;
+    }
+  }
 }
 
 // Whatever the target, in reach or out of it.
