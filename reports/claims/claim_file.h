@@ -37,10 +37,11 @@ struct Check {
 
 struct Claim {
   std::string id, place;
-  std::string statement;  // in our words
-  std::string quote;      // a few of the paper's, or ""
-  std::string paper;      // its figures
-  std::string size;       // name of a Size, or ""
+  std::string statement;   // in our words
+  std::string quote;       // a few of the paper's, or ""
+  std::string paper;       // its figures
+  std::string size;        // name of a Size, or ""
+  std::string decided_by;  // "result", or "design": by the experiment's settings, whatever comes out
   std::vector<Check> checks;
 };
 

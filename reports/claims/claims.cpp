@@ -164,6 +164,7 @@ json evaluated(const Claim& claim, const ClaimFile& file, const Statistics& stat
           {"statement", claim.statement},
           {"quote", claim.quote},
           {"paper", claim.paper},
+          {"decided_by", claim.decided_by},
           {"ours", ours_in_words(claim, measured, found)},
           {"verdict", large_enough && complete ? decided : "not at this size"},
           {"indication", indication},

@@ -9,7 +9,7 @@ namespace hbr {
 // `claims` is reports/claims.toml, `statistics` the contents of statistics.json
 // (pipeline/statistics/table.h). Returns claims.json, an array in the file's order of
 //
-//   id, place, statement, quote, paper   as in the file
+//   id, place, statement, quote, paper, decided_by   as in the file
 //   ours        this run's figures, in words
 //   verdict     "reproduced" (every check holds), "partly" (some do, or in part), "not" (none does), "not at
 //               this size" (the run is too small for the claim, or lacks what it is about)

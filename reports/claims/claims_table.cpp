@@ -56,23 +56,37 @@ std::string claim_rows(const json& claim) {
   return html + "</tbody>\n";
 }
 
+std::string table(const std::string& caption, const json& claims) {
+  std::string html = fmt::format(
+      "<table class=\"claims\"><caption>{}</caption>\n<thead><tr><th scope=\"col\">What is compared</th><th "
+      "scope=\"col\">Reproduced if</th><th scope=\"col\">This run</th><th scope=\"col\">Chart</th><th "
+      "scope=\"col\">Outcome</th></tr></thead>\n",
+      caption);
+  for (const json& claim : claims) html += claim_rows(claim);
+  return html + "</table>\n";
+}
+
 }  // namespace
 
 std::string claims_table(const json& claims) {
+  const json results = claims_decided_by("result", claims), design = claims_decided_by("design", claims);
   std::string html =
-      verdict_filters(claims) +
-      fmt::format(
-          "<table class=\"claims\"><caption>Each claim, and below it what is compared. In the charts the "
-          "dark bar is what "
-          "counts as reproduced, the pale one what counts in part, the dot this run. p: two-sided rank-sum "
-          "test "
-          "over the replications (normal approximation, corrected for ties and continuity, as in the paper); "
-          "none is given for fewer than {} replications.</caption>\n<thead><tr><th scope=\"col\">What is "
-          "compared</th><th scope=\"col\">Reproduced if</th><th scope=\"col\">This run</th><th "
-          "scope=\"col\">Chart</th><th scope=\"col\">Outcome</th></tr></thead>\n",
-          kFewestToTest);
-  for (const json& claim : claims) html += claim_rows(claim);
-  return html + "</table>\n";
+      verdict_filters(results) +
+      table(
+          "Each claim, and below it what is compared. In the charts the dark bar is what counts as "
+          "reproduced, the pale one what counts in part, the dot this run. p: two-sided rank-sum test "
+          "over the replications (normal approximation, corrected for ties and continuity, as in the "
+          "paper); none is given for fewer than " +
+              std::to_string(kFewestToTest) + " replications.",
+          results);
+  if (!design.empty())
+    html += "<h3 id=\"design\">Facts of the design</h3>\n" +
+            table(
+                "What the paper says of its experiment and the settings here decide, whatever comes out: "
+                "compared, but "
+                "not counted among the verdicts.",
+                design);
+  return html;
 }
 
 }  // namespace hbr

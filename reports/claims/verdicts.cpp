@@ -39,7 +39,15 @@ std::size_t count(const nlohmann::json& claims, const Verdict& verdict) {
 
 }  // namespace
 
-std::string verdict_tiles(const nlohmann::json& claims) {
+nlohmann::json claims_decided_by(const std::string& what, const nlohmann::json& claims) {
+  nlohmann::json some = nlohmann::json::array();
+  for (const nlohmann::json& claim : claims)
+    if (claim.value("decided_by", "result") == what) some.push_back(claim);
+  return some;
+}
+
+std::string verdict_tiles(const nlohmann::json& all) {
+  const nlohmann::json claims = claims_decided_by("result", all);
   std::string html = "<div class=\"tiles\">\n";
   for (const Verdict& verdict : kVerdicts)
     html += fmt::format("<div class=\"tile {}\"><b>{}</b><span>{} {}</span></div>\n", verdict.css,

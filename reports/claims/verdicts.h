@@ -7,7 +7,9 @@
 namespace hbr {
 
 // Of claims.json (reports/claims/claims.h). All throw InputError where a verdict is none of the four.
-std::string verdict_tiles(const nlohmann::json& claims);    // how many of each
+nlohmann::json claims_decided_by(const std::string& what,
+                                 const nlohmann::json& claims);  // "result" or "design"
+std::string verdict_tiles(const nlohmann::json& claims);  // how many of each, of those that a result decides
 std::string verdict_filters(const nlohmann::json& claims);  // buttons that show those of one verdict alone
 
 // Of one verdict: its sign and name, `whose` leads the error; and its CSS class.

@@ -5,10 +5,15 @@
 
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/collect.h"
+#include "pipeline/statistics/names.h"
 #include "pipeline/statistics/table.h"
+#include "reports/claims/claim_file.h"
+#include "reports/claims/claims_table.h"
+#include "reports/claims/verdicts.h"
 #include "tests/support/synthetic_experiment.h"
 #include "tests/support/temporary_folder.h"
 
@@ -29,7 +34,7 @@ std::filesystem::path claim_file(const TemporaryFolder& folder, const std::strin
                          "{ of = \"layer2.n1.generations\", at_least = 10000 }]\n"
                          "[[claims]]\nid = \"one\"\nplace = \"5.3\"\nstatement = \"so\"\nquote = \"\"\n"
                          "paper = \"2\"\nsize = \""
-                      << size << "\"\nchecks = [" << checks << "]\n";
+                      << size << "\"\ndecided_by = \"result\"\nchecks = [" << checks << "]\n";
   return path;
 }
 
@@ -215,6 +220,69 @@ TEST(Claims, TheFileIsReadStrictly) {
   EXPECT_THAT(failure(claim_file(folder, "{ word = \"w\" }")), HasSubstr("unknown key"));
   EXPECT_THAT(failure(folder.path() / "nowhere.toml"), HasSubstr("nowhere.toml"));
   EXPECT_THROW(evaluate_claims(kClaims, json::object()), InputError);
+}
+
+// What the settings decide is shown, but no verdict.
+TEST(Claims, OfTheDesignAreNotCounted) {
+  TemporaryFolder folder;
+  const auto file = claim_file(folder, check("value", "accuracy.n1", "", "[0]", "[0]"));
+  std::stringstream whole;
+  whole << std::ifstream(file).rdbuf();
+  std::string text = whole.str();
+  text.replace(text.find("\"result\""), 8, "\"design\"");
+  std::ofstream(file) << text;
+  const json design = evaluate_claims(file, accuracies(3));
+  EXPECT_EQ(design[0]["verdict"], "reproduced");
+  EXPECT_THAT(verdict_tiles(design), HasSubstr("<b>0</b><span>✓ reproduced"));
+  EXPECT_THAT(claims_table(design), HasSubstr("Facts of the design"));
+  text.replace(text.find("\"design\""), 8, "\"result\"");
+  std::ofstream(file) << text;
+  const json result = evaluate_claims(file, accuracies(3));
+  EXPECT_THAT(verdict_tiles(result), HasSubstr("<b>1</b><span>✓ reproduced"));
+  EXPECT_THAT(claims_table(result), Not(HasSubstr("Facts of the design")));
+}
+
+// A run in which x of the check is that.
+json run_with(const Check& check, double x) {
+  StatisticsTable table("test");
+  for (int r = 0; r < 10; ++r) {
+    const double shift = check.kind == "a12" ? r * 1e-3 : 0;
+    const double to = check.kind == "difference" ? 0.25 : 1;
+    const double of = check.kind == "ratio" ? x * to : check.kind == "difference" ? to + x : x;
+    table.add(check.of, r, check.kind == "a12" ? (x > .5 ? 2 : 0) + shift : of);
+    if (!check.to.empty()) table.add(check.to, r, to + shift);
+  }
+  return table.json();
+}
+
+// Of each check of the paper's claims that a result decides there is an outcome with which it does not hold:
+// x is below its range or above it, and no share beyond [0, 1], no chance and no size below 0.
+TEST(Claims, OfThePaperCanFail) {
+  TemporaryFolder folder;
+  for (const Claim& claim : read_claim_file(kClaims).claims) {
+    if (claim.decided_by == "design") continue;
+    EXPECT_FALSE(claim.checks.empty()) << claim.id;
+    for (const Check& check : claim.checks) {
+      const Meaning meaning = *meaning_of(check.of);
+      const bool share =
+          check.kind == "value" && meaning.unit.empty() && meaning.text.find("share") != std::string::npos;
+      const double least = check.kind == "difference" || check.of.find("mean") != std::string::npos ||
+                                   check.of.ends_with("confidence")
+                               ? -1e9
+                               : 0,
+                   most = check.kind == "a12" || share ? 1 : 1e12;
+      const double below = check.partly[0] - 1e-9 * std::max(1., std::abs(check.partly[0])),
+                   above = check.partly[1] + 1e-9 * std::max(1., std::abs(check.partly[1]));
+      const bool fails_below = below >= least, fails_above = above <= most;
+      EXPECT_TRUE(fails_below || fails_above) << claim.id << ": " << check.words;
+      const double x = check.kind == "a12" ? (fails_below ? 0 : 1) : fails_below ? below : above;
+      const json all = evaluate_claims(kClaims, run_with(check, x));
+      const auto same =
+          std::find_if(all.begin(), all.end(), [&](const json& one) { return one["id"] == claim.id; });
+      const auto index = static_cast<std::size_t>(&check - claim.checks.data());
+      EXPECT_EQ((*same)["checks"][index]["outcome"], "no") << claim.id << ": " << check.words;
+    }
+  }
 }
 
 TEST(Claims, OfThePaperOverTheSample) {
