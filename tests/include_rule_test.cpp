@@ -43,7 +43,7 @@ const std::map<std::string, std::vector<std::string>> kMayInclude = {
       "reports/page"}},
     {"stages/learned", {"pipeline", "models"}},
     {"stages/layers", {"pipeline", "models", "stages/learned"}},
-    {"stages/studies", {"pipeline", "models", "stages/layers"}},
+    {"stages/studies", {"pipeline", "models", "stages/learned", "stages/layers"}},
     {"stages/robots", {"pipeline", "models", "stages/learned", "stages/layers", "stages/studies"}},
     {"stages/plan", {"pipeline", "models", "stages/learned", "stages/layers", "stages/robots"}},
     {"stages/report", {"pipeline", "reports"}},

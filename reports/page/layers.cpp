@@ -1,12 +1,15 @@
 #include "reports/page/layers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <regex>
 #include <set>
 
+#include "pipeline/artifact/unit_columns.h"
 #include "pipeline/statistics/names.h"
 #include "pipeline/statistics/summary.h"
 #include "reports/plot/picture.h"
@@ -50,6 +53,21 @@ std::string arrow(double x, double from, double to, const std::string& what) {
          svg_text(what, x + 10, (from + to) / 2 + 4, 13, Colour::grey, Align::left);
 }
 
+std::string squares(const std::string& text) { return std::regex_replace(text, std::regex("\\^2"), "²"); }
+
+// "place x, place y (m)"; each with its own unit where they differ.
+std::string in_words(const UnitColumns& columns) {
+  const bool alike = std::ranges::all_of(columns.units, [&](const auto& u) { return u == columns.units[0]; });
+  const auto with_unit = [](const std::string& what, const std::string& unit) {
+    return unit.empty() ? what : fmt::format("{} ({})", what, squares(unit));
+  };
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < columns.names.size(); ++c)
+    names.push_back(alike ? columns.names[c] : with_unit(columns.names[c], columns.units[c]));
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
+  return escape_html(alike && !names.empty() ? with_unit(all, columns.units[0]) : all);
+}
+
 }  // namespace
 
 std::string hierarchy_diagram(const std::vector<LayerOfProfile>& layers) {
@@ -90,27 +108,33 @@ std::string hierarchy_diagram(const std::vector<LayerOfProfile>& layers) {
                     "The hierarchy of layers");
 }
 
-std::string layers_table(const std::vector<LayerOfProfile>& layers, const StatisticsView& statistics) {
+std::string layers_table(const std::vector<LayerOfProfile>& layers, const Evidence& evidence) {
   std::set<std::string> names;
   for (const LayerOfProfile& layer : layers) names.insert(layer.name);
   std::vector<std::vector<std::string>> rows;
   for (const LayerOfProfile& layer : layers) {
     const std::string statistic = parse_artifact_name(layer.name + "/00.h5", names).prefix();
-    const auto genes = statistics.number(statistic + ".genes");
-    const auto sizes = statistics.quantity(statistic + ".size");
+    const auto genes = evidence.statistics.number(statistic + ".genes");
+    const auto sizes = evidence.statistics.quantity(statistic + ".size");
     std::string elites = "–";
     if (!sizes.empty()) {
       const Summary s = summarise(sizes, statistic.c_str());
       elites = format_quartiles(s.median, s.q1, s.q3, "");
     }
+    std::string descriptor = "–", fitness = "–";
+    if (const auto files = evidence.artifacts.replications(layer.name); !files.empty()) {
+      descriptor = in_words(read_unit_columns(files[0], "measures"));
+      fitness = escape_html(squares(read_value_meaning(files[0], "objective").meaning));
+    }
     rows.push_back({fmt::format("<code>{}</code>", escape_html(layer.name)), escape_html(layer.meaning),
                     layer.below.empty() ? "the joints"
                                         : fmt::format("{} of <code>{}</code>", escape_html(layer.asks),
                                                       escape_html(layer.below)),
-                    genes ? format_number(*genes) : "–", elites});
+                    descriptor, fitness, genes ? format_number(*genes) : "–", elites});
   }
   return html_table("The layers of this profile; elites: median and quartiles over the replications",
-                    {"Layer", "Makes", "Commands", "Genes at most", "Elites"}, rows, "layers");
+                    {"Layer", "Makes", "Commands", "Descriptor", "Fitness", "Genes at most", "Elites"}, rows,
+                    "layers");
 }
 
 }  // namespace hbr

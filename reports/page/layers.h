@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/figures/statistics_view.h"
+#include "reports/figures/figures.h"
 
 namespace hbr {
 
@@ -20,7 +20,8 @@ struct LayerOfProfile {
 // nothing can be built on. `layers` stand after those that they are built on. "" without layers.
 std::string hierarchy_diagram(const std::vector<LayerOfProfile>& layers);
 
-// Of each layer what it is, what it commands, its genes and, over the replications, its elites.
-std::string layers_table(const std::vector<LayerOfProfile>& layers, const StatisticsView& statistics);
+// Of each layer what it is, what it commands, what its first replication says of descriptor and fitness, its
+// genes and, over the replications, its elites.
+std::string layers_table(const std::vector<LayerOfProfile>& layers, const Evidence& evidence);
 
 }  // namespace hbr

@@ -10,6 +10,7 @@
 #include "reports/figures/figures.h"
 #include "reports/kept/speed.h"
 #include "reports/page/assets.h"
+#include "reports/page/explorer.h"
 #include "reports/page/robots.h"
 #include "reports/text/html.h"
 #include "reports/text/template.h"
@@ -55,11 +56,12 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
       {"profile", escape_html(content.profile)},
       {"css", kPageCss},
       {"js", kPageJs},
-      {"packs", ""},
+      {"packs", explorer_packs(content.artifacts, content.profile)},
+      {"explorer", explorer_html(content.artifacts)},
       {"best_digits", best_digits(content.artifacts)},
       {"hierarchy", hierarchy_diagram(content.layers)},
       {"verdicts", verdict_tiles(content.claims)},
-      {"layers", layers_table(content.layers, evidence.statistics)},
+      {"layers", layers_table(content.layers, evidence)},
       {"claims", claims_table(content.claims)},
       {"sensitivity", sensitivity_html(sensitivity)},
       {"sensitivity_link", content.variations.empty() ? "" : "<a href=\"#sensitivity\">Sensitivity</a> "},

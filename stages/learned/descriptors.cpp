@@ -1,5 +1,7 @@
 #include "stages/learned/descriptors.h"
 
+#include <vector>
+
 #include "models/autoencoder/file.h"
 #include "models/descriptor/kernel_pca.h"
 #include "models/descriptor/pca.h"
@@ -16,6 +18,17 @@ std::unique_ptr<Descriptor> load_descriptor(const std::filesystem::path& path) {
   if (kind == "pca") return std::make_unique<PrincipalComponents>(file);
   if (kind == "kernel_pca") return std::make_unique<KernelPca>(file);
   throw InputError("{}: attribute kind is '{}', expected onnx, pca or kernel_pca", path.string(), kind);
+}
+
+void decode_images(const Descriptor& descriptor, Eigen::Index n, const float* images, float* decoded) {
+  std::vector<float> position(static_cast<std::size_t>(n * descriptor.dimension()));
+  if (const auto* network = dynamic_cast<const Autoencoder*>(&descriptor)) {
+    network->encode(n, images, position.data());
+    network->decode(n, position.data(), decoded);
+  } else {
+    dynamic_cast<const ReconstructingDescriptor&>(descriptor)
+        .reconstruct(n, images, position.data(), decoded);
+  }
 }
 
 }  // namespace hbr

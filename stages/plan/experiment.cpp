@@ -64,13 +64,15 @@ Node report_of(const Profile& profile, const std::vector<LayerRow>& layers, cons
   return {"report", "report", -1, "page", settings, inputs, {claims, readings, speed}};
 }
 
-Graph planned(const SettingsSource& source, const std::string& where) {
+// The page shows a variation's statistics alone.
+Graph planned(const SettingsSource& source, const std::string& where, bool is_variation) {
   Plan plan(source, where);
   plan_learned(plan);
   plan_layers(plan);
   plan_studies(plan);
   plan_robots(plan);
   plan_statistics(plan);
+  if (!is_variation) plan_explorer(plan);
   return std::move(plan.graph());
 }
 
@@ -80,13 +82,13 @@ Graph experiment_graph(const std::filesystem::path& file) {
   const SettingsSource source = read_inheriting(file);
   refuse_old_keys(source);
   const auto profile = settings_from_source<Profile>(source);
-  Graph graph = planned(source, file.string());
+  Graph graph = planned(source, file.string(), false);
   check_variations(file.string(), profile, graph);
   for (std::size_t i = 0; i < profile.variations.size(); ++i) {
     const ProfileVariation& v = profile.variations[i];
     const std::string where = fmt::format("{}: variation '{}'", file.string(), v.name);
     const std::size_t before = graph.size();
-    add_variation(graph, v.name, planned(varied(source, i, v), where));
+    add_variation(graph, v.name, planned(varied(source, i, v), where, true));
     if (graph.size() - before < 2)  // the statistics are always its own
       throw InputError("{} changes nothing that this profile runs; expected keys that a stage depends on",
                        where);

@@ -74,5 +74,7 @@ void plan_studies(Plan& plan);
 void plan_robots(Plan& plan);
 // Everything before, by its own name.
 void plan_statistics(Plan& plan);
+// What the report lets its readers explore.
+void plan_explorer(Plan& plan);
 
 }  // namespace hbr

@@ -78,6 +78,19 @@ void describe(Fields& f, NumbersTable& s) {
   f.text("layer", s.layer, "the layer of numbers that is read, by the arm and by the robots; empty: none");
 }
 
+struct ExplorerTable {
+  int replications = 0;
+  int executions = 0;
+};
+template <class Fields>
+void describe(Fields& f, ExplorerTable& s) {
+  f.number(
+      "replications", s.replications, Range{0, kMaxReplications},
+      "of the digits that the report's explorer shows, the first ones; each makes the page larger by 0.5 "
+      "to 1 MB");
+  f.number("executions", s.executions, Range{1, 100}, "of each line and arc there, from random starts");
+}
+
 struct SearchVariant {
   std::string name;
   SearchTable search;
@@ -152,6 +165,7 @@ struct Profile {
   SubstitutionTable substitution;
   DigitsTable digits;
   NumbersTable numbers;
+  ExplorerTable explorer;
   PlaneSearchSettings robot_plane;
   RobotPointsTable robot_layer1;
   TransferTable transfer;
@@ -181,6 +195,7 @@ void describe(Fields& f, Profile& s) {
   f.table("substitution", s.substitution, "of layer 1");
   f.table("digits", s.digits, "which digits are looked at");
   f.table("numbers", s.numbers, "which numbers are looked at");
+  f.table("explorer", s.explorer, "what the report lets its readers explore");
   f.table("robot_plane", s.robot_plane, "where the robots below draw");
   f.table("robot_layer1", s.robot_layer1, "points of the robots below");
   f.table("transfer", s.transfer, "to the robots below");

@@ -1,4 +1,6 @@
 // What is done with finished layers.
+#include <algorithm>
+
 #include "stages/plan/plan.h"
 
 namespace hbr {
@@ -97,6 +99,23 @@ void plan_studies(Plan& plan) {
   plan_searches(plan);
   plan_digits(plan);
   plan_numbers(plan);
+}
+
+// The digits' stack, with the numbers on top where they stand on these digits.
+void plan_explorer(Plan& plan) {
+  const Profile& p = plan.profile();
+  const int replications = std::min(p.replications.digits, p.explorer.replications);
+  if (replications == 0 || p.digits.hierarchy.empty()) return;
+  std::vector<const LayerRow*> stack = plan.stack(p.digits.hierarchy);
+  if (!p.numbers.layer.empty() && plan.layer(p.numbers.layer, "numbers.layer").below == p.digits.hierarchy)
+    stack = plan.stack(p.numbers.layer);
+  for (int r = 0; r < replications; ++r) {
+    Inputs inputs = plan.inputs("layer", stack, r);
+    inputs.insert(inputs.end(), {{"flat", numbered(p.digits.flat, r)},
+                                 {"digits", numbered("digit_verdicts", r)},
+                                 plan.descriptor(r)});
+    plan.add("explorer", "explorer", r, with(plan.run(r), {{"executions", p.explorer.executions}}), inputs);
+  }
 }
 
 }  // namespace hbr

@@ -8,6 +8,7 @@
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/drawing/draw.h"
+#include "tests/end_to_end/expect_explorer.h"
 #include "tests/end_to_end/expect_format.h"
 #include "tests/end_to_end/expect_robots.h"
 #include "tests/end_to_end/tiny_experiment.h"
@@ -166,6 +167,8 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   expect_strokes_draw_the_images(experiment.out("one"), experiment.out("one/surest_digits/00.h5"));
   expect_strokes_of_the_surest(experiment.out("one"));
   DescribedFormat().expect(experiment.out("one"));
+  ExpectedExplorer explorer(experiment.out("one"));
+  explorer.expect();
   expect_python_reads(experiment.out("one"));
   const RobotArtifacts robots(experiment.out("one"));
   for (const char* robot : {"nao", "industrial"}) {
@@ -187,6 +190,12 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   EXPECT_THAT(page, HasSubstr("</html>"));
   for (const char* unwanted : {"{{", "}}", ">nan<", ">-nan<", ">inf<", ">-inf<"})
     EXPECT_THAT(page, Not(HasSubstr(unwanted)));
+  explorer.expect_page(page);
+#ifdef NDEBUG  // under sanitizers the page is the same, and the browser is not ours
+  const ShellResult browser =
+      shell("node " HBR_SOURCE_DIR "/tests/browser/run.mjs " + experiment.out("report/index.html").string());
+  EXPECT_EQ(browser.code, 0) << browser.text;
+#endif
 
   // A damaged artifact comes back, and what depends on it stays.
   std::ofstream(experiment.out("one/layer2_n10/00.h5"), std::ios::app) << "x";

@@ -2,97 +2,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
-
-#include <cmath>
 #include <cstring>
 #include <limits>
-#include <map>
 
 #include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
+#include "tests/support/unpacked.h"
 
 namespace hbr {
 namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-// A second reader, written from the description alone: bits, six at a time, and values from their planes.
-std::string from_base64(const std::string& text) {
-  const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0, held = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    bits = bits << 6 | static_cast<unsigned>(alphabet.find(c));
-    if ((held += 6) < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> held & 0xff);
-  }
-  return bytes;
-}
-
-std::string inflated(const std::string& packed) {
-  std::string bytes(std::size_t{1} << 22, '\0');
-  uLongf size = bytes.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                       reinterpret_cast<const Bytef*>(packed.data()), packed.size()),
-            Z_OK);
-  bytes.resize(size);
-  return bytes;
-}
-
-class Unpacked {
- public:
-  explicit Unpacked(const std::string& html) {
-    const std::size_t begin = html.find('>') + 1;
-    const std::string all = inflated(from_base64(html.substr(begin, html.find('<', begin) - begin)));
-    std::size_t length = 0;
-    for (int byte = 3; byte >= 0; --byte) length = length << 8 | static_cast<unsigned char>(all[byte]);
-    header = nlohmann::json::parse(all.substr(4, length));
-    bytes_ = all.substr(4 + length);
-  }
-
-  template <class T>
-  std::vector<T> read(const std::string& name) const {
-    std::size_t at = 0;
-    for (const auto& array : header.at("arrays")) {
-      std::size_t n = 1;
-      for (const std::size_t length : array.at("shape")) n *= length;
-      const std::map<std::string, std::size_t> sizes{{"u8", 1}, {"u16", 2}, {"i32", 4}, {"f32", 4}};
-      const std::size_t size = sizes.at(array.at("type")), delta = array.at("delta");
-      if (array.at("name") == name) {
-        EXPECT_EQ(size, sizeof(T));
-        std::vector<std::uint64_t> bits(n);
-        std::vector<T> values(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          for (std::size_t byte = 0; byte < size; ++byte)
-            bits[i] += static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[at + byte * n + i]))
-                       << (8 * byte);
-          if (delta > 0 && i >= delta)
-            bits[i] = (bits[i] + bits[i - delta]) % (std::uint64_t{1} << (8 * size));
-          std::memcpy(&values[i], &bits[i], size);
-        }
-        return values;
-      }
-      at += n * size;
-    }
-    ADD_FAILURE() << "no array " << name;
-    return {};
-  }
-  std::size_t delta(const std::string& name) const {
-    for (const auto& array : header.at("arrays"))
-      if (array.at("name") == name) return array.at("delta");
-    return std::numeric_limits<std::size_t>::max();
-  }
-  std::size_t size() const { return bytes_.size(); }
-
-  nlohmann::json header;
-
- private:
-  std::string bytes_;
-};
 
 TEST(Pack, ComesBackAsItWas) {
   Rng rng(Seed(1));
@@ -117,7 +38,7 @@ TEST(Pack, ComesBackAsItWas) {
   const std::string html = pack.html();
   EXPECT_TRUE(html.starts_with("<script type=\"text/plain\" id=\"pack-digits-00\">"));
   EXPECT_TRUE(html.ends_with("</script>\n"));
-  const Unpacked unpacked(html);
+  const Unpacked unpacked(html, "digits-00");
   EXPECT_EQ(unpacked.header.at("words"),
             (nlohmann::json{{"names", {"latent 1", "é <&>"}}, {"replication", 3}}));
   EXPECT_EQ(unpacked.header.at("arrays").at(0).at("shape"), nlohmann::json({10, 10, 10}));
@@ -149,7 +70,7 @@ TEST(Pack, TakesTheDifferencesThatDeflateBest) {
   };
   const std::string html = pack_of();
   EXPECT_EQ(html, pack_of());
-  const Unpacked unpacked(html);
+  const Unpacked unpacked(html, "p");
   EXPECT_EQ(unpacked.delta("steps"), 1u);
   EXPECT_EQ(unpacked.delta("rows"), 40u);
   EXPECT_EQ(unpacked.delta("zeros"), 0u);

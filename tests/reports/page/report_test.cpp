@@ -12,6 +12,7 @@
 #include <regex>
 #include <set>
 
+#include "pipeline/artifact/unit_columns.h"
 #include "pipeline/core/check.h"
 #include "reports/plot/figure.h"
 #include "reports/text/format.h"
@@ -167,8 +168,8 @@ std::vector<std::string> all_of(const std::string& page, const char* pattern) {
 TEST_F(ReportTest, SectionsStandInTheOrderInWhichTheyAreRead) {
   write_report(full(), folder_ / "report");
   const std::string page = read(folder_ / "report/index.html");
-  const std::vector<std::string> expected{"summary", "layers",   "robots", "claims",
-                                          "figures", "readings", "speed",  "provenance"};
+  const std::vector<std::string> expected{"summary", "layers",   "explorer", "robots",    "claims",
+                                          "figures", "readings", "speed",    "provenance"};
   EXPECT_EQ(all_of(page, "<section id=\"([^\"]*)\""), expected);
   for (const std::string& section : expected) EXPECT_THAT(page, HasSubstr("href=\"#" + section + "\""));
   EXPECT_THAT(page, HasSubstr("<a class=\"skip\" href=\"#main\">"));
@@ -256,6 +257,21 @@ TEST_F(ReportTest, TheDiagramIsTheProfiles) {
   EXPECT_THAT(texts(fewer), testing::Contains("spirals, by lines"));
   EXPECT_THAT(texts(fewer), Not(testing::Contains("layer4")));
   EXPECT_EQ(hierarchy_diagram({}), "");
+}
+
+// What a layer's descriptor and fitness are, its own artifact says.
+TEST_F(ReportTest, TheLayersTableIsTheArtifacts) {
+  const fs::path path = folder_ / "layer9.h5";
+  Hdf5Writer file(path);
+  for (const char* array : {"measures", "objective"}) file.write(array, std::vector<float>{0});
+  write_unit_columns(file, "measures", {{"a", "<b>"}, {"m", "rad^2"}, 0, 1, {0, 0}, {1, 1}});
+  write_value_meaning(file, "objective", {"minus the cost (m^2)", ""});
+  file.close();
+  const Evidence evidence{Artifacts({{"layer9/00.h5", path}}), StatisticsView(full().statistics)};
+  const std::string table =
+      layers_table({{"layer9", "points", "places", "", "places", ""}, kLayers[3]}, evidence);
+  EXPECT_THAT(table, HasSubstr("<td>a (m), &lt;b&gt; (rad²)</td><td>minus the cost (m²)</td>"));
+  EXPECT_THAT(table, HasSubstr("<td>arcs of <code>layer3_b</code></td><td>–</td><td>–</td>"));
 }
 
 // Tables are tidy: every row has all columns, and no file is without rows.

@@ -1,0 +1,195 @@
+// The explorer: what a reader does with it.
+import assert from "node:assert/strict";
+import { packOf } from "./packs.mjs";
+
+const kReady = "!document.getElementById('explorer-app')?.hidden";
+const kHeading = "document.getElementById('explorer-elite').textContent";
+const kPlay = "document.querySelector('.arm-player .play')";
+const arm = "document.querySelector('.arm canvas').toDataURL()";
+const text = (selector) => `document.querySelector(${JSON.stringify(selector)}).textContent`;
+const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+const plain = (words) => words.replaceAll("\u202f", "");
+
+// Sets a control that has these words before it, as a person would.
+const choose = (label, value) => `(() => {
+  const control = [...document.querySelectorAll(".explorer-bar label")].find((l) => l.textContent.startsWith(${JSON.stringify(label)})).querySelector("select, input");
+  control.value = ${JSON.stringify(value)};
+  control.dispatchEvent(new Event(control.tagName === "SELECT" ? "change" : "input", { bubbles: true }));
+})()`;
+// The counts above the maps.
+const counts = async (page) => (await page.evaluate("[...document.querySelectorAll('.elite-map .place')].map((p) => p.textContent)"))
+  .map((words) => Number(plain(words).match(/^\d+/)[0]));
+
+async function open(page, url, hash = "") {
+  await page.go(url + hash, kReady);
+}
+
+export const explorerChecks = [
+  ["scripts read what the program packed", async (page, { url, html }) => {
+    await open(page, url);
+    for (const name of packOf(html, "explorer").words.replications) {
+      const { words, arrays } = packOf(html, "explorer-" + name);
+      assert.deepEqual(await page.evaluate(`unpack("explorer-${name}").then((pack) => pack.words)`), words);
+      for (const [array, { shape, values }] of Object.entries(arrays)) {
+        const read = await page.evaluate(`unpack("explorer-${name}").then(({ arrays }) => {
+          const { shape, values } = arrays[${JSON.stringify(array)}];
+          return [shape, values.length, values.reduce((sum, v, i) => sum + v * ((i % 97) + 1), 0)]; })`);
+        const sum = values.reduce((all, v, i) => all + v * ((i % 97) + 1), 0);
+        assert.deepEqual(read, [shape, values.length, sum], array);
+      }
+    }
+  }],
+
+  ["a click goes into the address, a reload and the way back come to the same elite", async (page, { url }) => {
+    await open(page, url);
+    const middle = (await page.evaluate(`(() => { document.getElementById("explorer").scrollIntoView({ behavior: "instant" });
+      return [...document.querySelectorAll(".map")].map((map) => { const b = map.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 3]; }); })()`));
+    const seen = [];
+    for (const [x, y] of middle) {
+      await page.click(x, y);
+      seen.push([await page.evaluate("location.hash"), await page.evaluate(kHeading)]);
+    }
+    assert.match(seen[0][0], /^#hbr\/0\/\d+$/);
+    assert.match(seen[1][0], /^#flat\/0\/\d+$/);
+    for (const [hash, heading] of seen) assert.ok(heading.endsWith("· " + hash.split("/")[2]), heading);
+    await page.go(null, kReady);
+    assert.equal(await page.evaluate(kHeading), seen[1][1]);
+    await page.evaluate("history.back()");
+    await page.holds(`${kHeading} === ${JSON.stringify(seen[0][1])}`);
+    await page.evaluate("history.forward()");
+    await page.holds(`${kHeading} === ${JSON.stringify(seen[1][1])}`);
+  }],
+
+  ["an address opens any layer", async (page, { url, html }) => {
+    const { words, arrays } = packOf(html, "explorer-00");
+    const last = (group) => arrays[group + "/id"].values.at(-1);
+    await open(page, url, `#flat/0/${last("flat")}`);
+    for (const { group } of words.layers) {
+      await page.evaluate(`location.hash = "#${group}/0/${last(group)}"`);
+      await page.holds(`${kHeading}.endsWith("· ${last(group)}")`);
+      const genes = arrays[group + "/length"]?.values.at(-1) ?? arrays[group + "/solution"].shape[1];
+      assert.equal(await page.evaluate("document.querySelectorAll('.genome tbody tr').length"), genes, group);
+    }
+    await open(page, url + "?nobody", "#hbr/0/999999999");
+    assert.ok(!(await page.evaluate(kHeading)).includes("999999999"));
+  }],
+
+  ["the keyboard reaches every control, and arrow keys go to neighbours", async (page, { url, html }) => {
+    await page.media({ "prefers-reduced-motion": "reduce" });
+    await open(page, url);
+    const reachable = `[...document.querySelectorAll("#explorer :is(button, select, input, summary, a[href], .map)")].filter((e) => e.getClientRects().length)`;
+    const controls = await page.evaluate(`${reachable}.length`);
+    await page.evaluate(`window.passed = []; ${reachable}[0].focus()`);
+    for (let k = 0; k < controls; ++k) {
+      await page.evaluate("passed.push(document.activeElement)");
+      assert.ok(await page.evaluate("document.activeElement.matches(':focus-visible') && (getComputedStyle(document.activeElement).outlineStyle !== 'none')"), `control ${k} shows no focus`);
+      await page.press("Tab");
+    }
+    assert.equal(await page.evaluate(`${reachable}.every((e) => passed.includes(e))`), true);
+
+    const { arrays } = packOf(html, "explorer-00"), ids = arrays["hbr/id"].values, places = arrays["hbr/measures"].values;
+    const place = async () => {
+      const row = ids.indexOf(Number((await page.evaluate("location.hash")).split("/")[2]));
+      return places.slice(2 * row, 2 * row + 2);
+    };
+    const middle = ids.map((id, i) => [places[2 * i], id]).sort((a, b) => a[0] - b[0])[Math.floor(ids.length / 2)][1];
+    let moves = 0;
+    for (const [key, axis, sign] of [["ArrowRight", 0, 1], ["ArrowUp", 1, 1], ["ArrowLeft", 0, -1], ["ArrowDown", 1, -1]]) {
+      await page.evaluate(`location.hash = "#hbr/0/${middle}"`);
+      await page.holds(`${kHeading}.endsWith("· ${middle}")`);
+      await page.evaluate("document.querySelector('.map').focus()");
+      const before = await place(), farther = places.some((v, i) => i % 2 === axis && (v - before[axis]) * sign > 0.001);
+      await page.press(key);
+      const after = await place();
+      if (farther) assert.ok((after[axis] - before[axis]) * sign > 0, `${key}: from ${before} to ${after}`);
+      moves += farther;
+    }
+    assert.ok(moves >= 2);
+    await page.evaluate(`document.querySelector('[aria-label="Speed"]').value = "0.25"; ${kPlay}.focus()`);
+    assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
+    await page.press("Enter");
+    await page.holds(`${kPlay}.textContent === "Pause"`);
+  }],
+
+  ["the arm moves until it is paused, and can be moved by hand", async (page, { url, html }) => {
+    const { arrays } = packOf(html, "explorer-00"), lengths = arrays["hbr/points"].values;
+    await open(page, url, `#hbr/0/${arrays["hbr/id"].values[lengths.indexOf(Math.max(...lengths))]}`);
+    await page.evaluate(`document.querySelector('[aria-label="Speed"]').value = "0.25";
+      if (${kPlay}.textContent === "Pause") ${kPlay}.click(); ${kPlay}.click()`);
+    const first = await page.evaluate(arm);
+    await page.holds(`(({ value, max }) => Number(value) > Number(max) / 8)(document.querySelector('[aria-label="Posture"]'))`);
+    assert.notEqual(await page.evaluate(arm), first);
+    assert.equal(await page.evaluate(`${kPlay}.textContent`), "Pause");
+    await page.evaluate(`${kPlay}.click()`);
+    const still = await page.evaluate(arm);
+    await wait(150);
+    assert.equal(await page.evaluate(arm), still);
+    await page.evaluate(`(() => { const scrub = document.querySelector('[aria-label="Posture"]'); scrub.value = "0"; scrub.dispatchEvent(new Event("input")); })()`);
+    assert.notEqual(await page.evaluate(arm), still);
+  }],
+
+  ["who asks for less motion gets none", async (page, { url }) => {
+    await page.media({ "prefers-reduced-motion": "reduce" });
+    await open(page, url);
+    assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
+    const still = await page.evaluate(arm);
+    await wait(150);
+    assert.equal(await page.evaluate(arm), still);
+    await page.evaluate(`${kPlay}.click()`);
+    await page.holds(`${arm} !== ${JSON.stringify(still)}`);
+  }],
+
+  ["filters and the table keep what the data has", async (page, { url, html }) => {
+    const { words, arrays } = packOf(html, "explorer-00");
+    const of = (group, name) => arrays[`${group}/${name}`].values;
+    const batch = Object.fromEntries(words.layers.map((layer) => [layer.group, layer.batch]));
+    const expected = (passes) => ["hbr", "flat"].map((group) => of(group, "id").filter((id, i) => passes(group, i)).length);
+    await open(page, url);
+    await page.evaluate(`window.saved = []; const make = URL.createObjectURL; URL.createObjectURL = (blob) => { saved.push(blob); return make.call(URL, blob); }`);
+    const table = async () => {
+      await page.evaluate("[...document.querySelectorAll('.explorer-bar button')].find((b) => b.textContent.endsWith('CSV')).click()");
+      return (await page.evaluate("saved.at(-1).text()")).trim().split("\n");
+    };
+    assert.deepEqual(await counts(page), expected(() => true));
+    const digit = of("hbr", "label")[0], median = Math.floor([...of("hbr", "id")].sort((a, b) => a - b)[Math.floor(of("hbr", "id").length / 2)] / batch.hbr) + 1;
+    for (const [label, value, passes] of [
+      ["Class", String(digit), (group, i) => of(group, "label")[i] === digit],
+      ["Good", "1", (group, i) => of(group, "good")[i] === 1],
+      ["Good", "0", (group, i) => of(group, "good")[i] === 0],
+      ["Born", String(median), (group, i) => Math.floor(of(group, "id")[i] / batch[group]) + 1 <= median],
+    ]) {
+      await page.evaluate(choose(label, value));
+      const wanted = expected(passes);
+      assert.deepEqual(await counts(page), wanted, `${label} ${value}`);
+      const [head, ...rows] = await table();
+      assert.equal(rows.length, wanted[0] + wanted[1]);
+      for (const row of rows) assert.equal(row.split(",").length, head.split(",").length);
+      await page.evaluate(choose(label, label === "Born" ? "1000000" : ""));
+    }
+    const errors = ["hbr", "flat"].flatMap((group) => of(group, "objective").map((value) => -value));
+    const low = Math.min(...errors), limit = low + (Math.max(...errors) - low) * 0.3;
+    await page.evaluate(choose("Network’s error", "30"));
+    assert.deepEqual(await counts(page), expected((group, i) => -of(group, "objective")[i] <= limit));
+    const rows = (await table()).slice(1).map((row) => row.split(","));
+    assert.deepEqual(rows.filter(([layer]) => layer === rows[0][0]).map((row) => Number(row[2])),
+      of("hbr", "id").filter((_, i) => -of("hbr", "objective")[i] <= limit));
+  }],
+
+  ["words can be read on their paper", async (page, { url }) => {
+    await open(page, url);
+    for (const theme of ["light", "dark"]) {
+      await page.media({ "prefers-color-scheme": theme });
+      const faint = await page.evaluate(`(() => {
+        const light = (colour) => { const [r, g, b] = colour.match(/[\\d.]+/g).map((v) => { const s = v / 255; return s <= 0.03928 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4; }); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+        const paper = (e) => { for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$|transparent/.test(c)) return c; } return "rgb(255, 255, 255)"; };
+        const poor = [];
+        for (const e of document.querySelectorAll("#explorer *")) {
+          if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) || !e.getClientRects().length) continue;
+          const [a, b] = [light(getComputedStyle(e).color), light(paper(e))].sort((x, y) => y - x);
+          if ((a + 0.05) / (b + 0.05) < 4.5) poor.push(e.tagName + " " + e.textContent);
+        }
+        return poor; })()`);
+      assert.deepEqual(faint, []);
+    }
+  }],
+];

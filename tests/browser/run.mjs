@@ -1,0 +1,34 @@
+// A finished report in a real browser: node tests/browser/run.mjs REPORT/index.html. Every check begins with the
+// page as it is opened; the first that fails says why, and all are tried.
+import { readFileSync, statSync } from "node:fs";
+import { resolve } from "node:path";
+import { Browser } from "./browser.mjs";
+import { explorerChecks } from "./explorer_checks.mjs";
+import { pageChecks } from "./page_checks.mjs";
+
+const file = resolve(process.argv[2]), only = process.argv[3];
+const report = { url: "file://" + file, html: readFileSync(file, "utf8"), bytes: statSync(file).size };
+const browser = await Browser.start();
+let failed = 0;
+try {
+  for (const [name, check] of [...pageChecks, ...explorerChecks]) {
+    if (only && !name.includes(only)) continue;
+    const page = await browser.page(), begin = Date.now();
+    try {
+      await page.size(1440, 1000);
+      await page.media({ "prefers-color-scheme": "light", "prefers-reduced-motion": "no-preference" });
+      await check(page, report);
+      const strange = page.requests.filter((url) => url.split(/[?#]/)[0] !== report.url && !/^(blob|data):/.test(url));
+      if (strange.length) throw new Error("asks for " + strange.join(", "));
+      if (page.faults.length) throw new Error("the console says: " + page.faults.join("; "));
+      console.log(`ok      ${name} (${Date.now() - begin} ms)`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAILED  ${name}: ${error.message}`);
+    }
+    await page.close();
+  }
+} finally {
+  await browser.close();
+}
+process.exit(failed ? 1 : 0);
