@@ -24,6 +24,12 @@ async function open(page, url, hash = "") {
   await page.go(url + hash, kReady);
 }
 
+// The address of the digit whose way is longest: some are dots.
+function longestWay(html) {
+  const { arrays } = packOf(html, "explorer-00"), lengths = arrays["hbr/points"].values;
+  return `#hbr/0/${arrays["hbr/id"].values[lengths.indexOf(Math.max(...lengths))]}`;
+}
+
 export const explorerChecks = [
   ["scripts read what the program packed", async (page, { url, html }) => {
     await open(page, url);
@@ -105,6 +111,8 @@ export const explorerChecks = [
       moves += farther;
     }
     assert.ok(moves >= 2);
+    await page.evaluate(`location.hash = "${longestWay(html)}"`);
+    await page.holds(`${kHeading}.endsWith("· ${longestWay(html).split("/")[2]}")`);
     await page.evaluate(`document.querySelector('[aria-label="Speed"]').value = "0.25"; ${kPlay}.focus()`);
     assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
     await page.press("Enter");
@@ -112,8 +120,7 @@ export const explorerChecks = [
   }],
 
   ["the arm moves until it is paused, and can be moved by hand", async (page, { url, html }) => {
-    const { arrays } = packOf(html, "explorer-00"), lengths = arrays["hbr/points"].values;
-    await open(page, url, `#hbr/0/${arrays["hbr/id"].values[lengths.indexOf(Math.max(...lengths))]}`);
+    await open(page, url, longestWay(html));
     await page.evaluate(`document.querySelector('[aria-label="Speed"]').value = "0.25";
       if (${kPlay}.textContent === "Pause") ${kPlay}.click(); ${kPlay}.click()`);
     const first = await page.evaluate(arm);
@@ -128,9 +135,9 @@ export const explorerChecks = [
     assert.notEqual(await page.evaluate(arm), still);
   }],
 
-  ["who asks for less motion gets none", async (page, { url }) => {
+  ["who asks for less motion gets none", async (page, { url, html }) => {
     await page.media({ "prefers-reduced-motion": "reduce" });
-    await open(page, url);
+    await open(page, url, longestWay(html));
     assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
     const still = await page.evaluate(arm);
     await wait(150);
