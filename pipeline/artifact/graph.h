@@ -20,6 +20,8 @@ struct Node {
   std::vector<std::string> sources;  // files of the user or the repository it reads (absolute or below the
                                      // repository); their content is part of the key
   std::string variation = {};        // whose run it is; "" for the experiment's own
+  // Files that would be among the sources were they there; `missing` lists them, and nothing else minds.
+  std::vector<std::string> wished = {};
 };
 
 // What make calls the node's stage: "layer2_n10", "VARIATION/layer2_n10".

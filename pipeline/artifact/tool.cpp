@@ -146,13 +146,14 @@ int plan(Arguments& arguments, const Graph& graph) {
   return 0;
 }
 
-// What stages read besides artifacts and is not there.
+// What stages read besides artifacts, or would, and is not there.
 int missing(const Arguments& arguments, const Graph& graph) {
   std::set<fs::path> files;
   for (const Node& node : graph)
-    for (const std::string& source : node.sources)
-      if (const fs::path path = arguments.workspace.repository / source; !fs::exists(path))
-        files.insert(path);
+    for (const auto* named : {&node.sources, &node.wished})
+      for (const std::string& source : *named)
+        if (const fs::path path = arguments.workspace.repository / source; !fs::exists(path))
+          files.insert(path);
   for (const fs::path& file : files) fmt::print("{}\n", file.string());
   return 0;
 }

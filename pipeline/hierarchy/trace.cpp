@@ -1,6 +1,17 @@
 #include "pipeline/hierarchy/trace.h"
 
 namespace hbr {
+namespace {
+
+Executions executed(const Executor& executor, const float* genome, int length) {
+  const Rows row = Eigen::Map<const Rows>(genome, 1, length);
+  Executions executions;
+  std::uint8_t possible = 0;
+  executor.execute(row, nullptr, 0, 1, Seed(0), executions, &possible);
+  return executions;
+}
+
+}  // namespace
 
 Trace trace_of(const Executions& executions, int execution) {
   const PointLayer& points = executions.points();
@@ -14,11 +25,11 @@ Trace trace_of(const Executions& executions, int execution) {
 }
 
 Trace trace_of(const Executor& executor, const float* genome, int length) {
-  const Rows row = Eigen::Map<const Rows>(genome, 1, length);
-  Executions executions;
-  std::uint8_t possible = 0;
-  executor.execute(row, nullptr, 0, 1, Seed(0), executions, &possible);
-  return trace_of(executions, 0);
+  return trace_of(executed(executor, genome, length), 0);
+}
+
+std::vector<std::int32_t> way_of(const Executor& executor, const float* genome, int length) {
+  return executed(executor, genome, length).way(0);
 }
 
 }  // namespace hbr

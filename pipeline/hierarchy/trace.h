@@ -18,5 +18,7 @@ struct Trace {
 Trace trace_of(const Executions& executions, int execution);
 // Of a genome that places the pen itself; empty where it asks for what can't be.
 Trace trace_of(const Executor& executor, const float* genome, int length);
+// The elites of layer 1 that it passes.
+std::vector<std::int32_t> way_of(const Executor& executor, const float* genome, int length);
 
 }  // namespace hbr

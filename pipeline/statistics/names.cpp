@@ -48,6 +48,8 @@ constexpr std::array kHeads = {
     Head{"tuned_all", "fine-tuning of all layers", false, true},
     Head{"tuned", "fine-tuning", false, true},
     Head{"picture", "picture", false, true},
+    Head{"shape", "shape", false, true},
+    Head{"ways", "postures along the digits", false, true},
 };
 
 const Head* find_head(std::string_view name) {

@@ -6,5 +6,6 @@ namespace hbr {
 extern const char* const kPageHtml;
 extern const char* const kPageCss;
 extern const char* const kPageJs;
+extern const char* const kRobots3dHtml;
 
 }  // namespace hbr

@@ -12,6 +12,7 @@
 #include "reports/page/assets.h"
 #include "reports/page/explorer.h"
 #include "reports/page/robots.h"
+#include "reports/page/robots3d.h"
 #include "reports/text/html.h"
 #include "reports/text/template.h"
 
@@ -56,8 +57,10 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
       {"profile", escape_html(content.profile)},
       {"css", kPageCss},
       {"js", kPageJs},
-      {"packs", explorer_packs(content.artifacts, content.profile)},
+      {"packs", explorer_packs(content.artifacts, content.profile) +
+                    robots_3d_packs(content.artifacts, content.three)},
       {"explorer", explorer_html(content.artifacts)},
+      {"robots3d", robots_3d_html(content.artifacts, content.three)},
       {"best_digits", best_digits(content.artifacts)},
       {"hierarchy", hierarchy_diagram(content.layers)},
       {"verdicts", verdict_tiles(content.claims)},

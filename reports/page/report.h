@@ -20,7 +20,8 @@ struct ReportContent {
   nlohmann::json claims;      // as evaluate_claims leaves them
   nlohmann::json readings;    // array of {id, title, paper, reading, alternatives, effect}
   std::vector<VariationClaims> variations = {};
-  nlohmann::json speed = {};  // as condense_speed leaves it, or null where nobody measured
+  nlohmann::json speed = {};         // as condense_speed leaves it, or null where nobody measured
+  std::filesystem::path three = {};  // folder of three.js; empty: robots are shown by pictures alone
 };
 
 // Makes `folder` with index.html (self-contained), statistics.json, claims.json, speed.json where there are

@@ -1,5 +1,6 @@
 #include "stages/plan/experiment.h"
 
+#include <algorithm>
 #include <set>
 
 #include "pipeline/artifact/profile.h"
@@ -41,13 +42,22 @@ void check_variations(const std::string& file, const Profile& profile, const Gra
   }
 }
 
+// What draws robots in three dimensions: read where it is, and where it is not the page shows their pictures.
+const std::string kThree = ".cache/three";
+std::vector<std::string> three_files() {
+  std::vector<std::string> files;
+  for (const char* name : {"LICENSE", "OrbitControls.js", "three.module.min.js"})
+    files.push_back(kThree + "/" + name);
+  return files;
+}
+
 // The page: everything of the experiment by its own name, and the statistics of every variation.
 Node report_of(const Profile& profile, const std::vector<LayerRow>& layers, const Graph& graph) {
   const std::string claims = "reports/claims.toml", readings = "reports/readings.toml",
                     speed = "reports/reference/bench.json";
   const auto none = nlohmann::json::array();
-  nlohmann::json settings = {{"claims", claims}, {"readings", readings}, {"speed", speed},
-                             {"layers", none},   {"robots", none},       {"variations", none}};
+  nlohmann::json settings = {{"claims", claims}, {"readings", readings}, {"speed", speed}, {"layers", none},
+                             {"robots", none},   {"variations", none},   {"three", ""}};
   for (const LayerRow& row : layers)
     settings["layers"].push_back({{"name", row.name},
                                   {"kind", row.kind->name},
@@ -61,7 +71,17 @@ Node report_of(const Profile& profile, const std::vector<LayerRow>& layers, cons
   std::vector<std::pair<std::string, std::string>> inputs;
   for (const Node& node : graph)
     if (node.variation.empty() || node.stage == "statistics") inputs.emplace_back(node.output, node.output);
-  return {"report", "report", -1, "page", settings, inputs, {claims, readings, speed}};
+  Node report{"report", "report", -1, "page", settings, inputs, {claims, readings, speed}};
+  if (std::ranges::none_of(graph, [](const Node& node) { return node.program == "robot_shape"; }))
+    return report;
+  const std::vector<std::string> three = three_files();
+  if (std::ranges::all_of(three, [](const std::string& file) { return std::filesystem::exists(file); })) {
+    report.settings["three"] = kThree;
+    report.sources.insert(report.sources.end(), three.begin(), three.end());
+  } else {
+    report.wished = three;
+  }
+  return report;
 }
 
 // The page shows a variation's statistics alone.
@@ -72,7 +92,10 @@ Graph planned(const SettingsSource& source, const std::string& where, bool is_va
   plan_studies(plan);
   plan_robots(plan);
   plan_statistics(plan);
-  if (!is_variation) plan_explorer(plan);
+  if (!is_variation) {
+    plan_explorer(plan);
+    plan_shown_robots(plan);
+  }
   return std::move(plan.graph());
 }
 

@@ -76,5 +76,7 @@ void plan_robots(Plan& plan);
 void plan_statistics(Plan& plan);
 // What the report lets its readers explore.
 void plan_explorer(Plan& plan);
+// The arm and the robots in three dimensions.
+void plan_shown_robots(Plan& plan);
 
 }  // namespace hbr

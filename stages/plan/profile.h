@@ -170,6 +170,7 @@ struct Profile {
   RobotPointsTable robot_layer1;
   TransferTable transfer;
   RobotPictureTable robot_picture;
+  RobotShapeTable robot_shape;
   DynamicsTable dynamics;
   TuningTable tuning;
   std::vector<RobotSettings> robots;
@@ -200,6 +201,7 @@ void describe(Fields& f, Profile& s) {
   f.table("robot_layer1", s.robot_layer1, "points of the robots below");
   f.table("transfer", s.transfer, "to the robots below");
   f.table("robot_picture", s.robot_picture, "pictures of the robots below");
+  f.table("robot_shape", s.robot_shape, "of the arm and the robots below in three dimensions");
   f.table("dynamics", s.dynamics, "of the robots below");
   f.table("tuning", s.tuning, "of the arm's layers to the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");

@@ -1,44 +1,8 @@
 // What the robots do: where they draw, their points, and the digits of the arm over these.
-#include <algorithm>
-
-#include "models/robot/description/find_mesh.h"
-#include "stages/plan/plan.h"
+#include "stages/plan/robot_inputs.h"
 
 namespace hbr {
 namespace {
-
-const std::string kNaoMeshes = "nao_meshes";
-
-// What the pictures of a robot read beside artifacts: the URDF and the meshes that it names. Of a URDF that
-// can't be read only itself: the stages that need it say why, and the rest of the experiment goes on.
-std::vector<std::string> looks_of(const RobotSettings& robot) {
-  std::vector<std::string> sources{robot.urdf};
-  if (robot.meshes == kNaoMeshes) return sources;
-  try {
-    for (const std::filesystem::path& mesh : mesh_files(load_urdf(robot.urdf), robot.meshes))
-      sources.push_back(mesh.string());
-  } catch (const InputError&) {
-  }
-  return sources;
-}
-
-void append(Inputs& inputs, const Inputs& more) { inputs.insert(inputs.end(), more.begin(), more.end()); }
-
-// The hierarchy that is transferred, the lowest layer first.
-std::vector<const LayerRow*> transferred(const Plan& plan) {
-  return plan.stack(plan.profile().digits.hierarchy);
-}
-
-// Over whose points, in which replication: the robot's, or for the control the arm's own.
-Inputs over(const Plan& plan, const std::string& name, const std::vector<const LayerRow*>& stack,
-            const RobotSettings* robot, int r) {
-  Inputs inputs = plan.inputs(name, stack, r);
-  if (robot) inputs.front().second = numbered(robot->name + "_projected", r);
-  return inputs;
-}
-Inputs plane(const RobotSettings* robot) {
-  return robot ? Inputs{{"plane", robot->name + "_plane.h5"}} : Inputs{};
-}
 
 void plan_points(Plan& plan, const RobotSettings& robot, const nlohmann::json& body) {
   const Profile& p = plan.profile();
@@ -104,11 +68,7 @@ void plan_numbers(Plan& plan, const RobotSettings& robot) {
 
 void plan_picture(Plan& plan, const RobotSettings& robot) {
   Inputs inputs{{"plane", robot.name + "_plane.h5"}, {"transfer", numbered(robot.name + "_transfer", 0)}};
-  if (robot.meshes == kNaoMeshes) {  // made, not found
-    if (std::ranges::find(plan.graph(), kNaoMeshes, &Node::stage) == plan.graph().end())
-      plan.add({kNaoMeshes, kNaoMeshes, -1, kNaoMeshes, nlohmann::json::object(), {}, {}});
-    inputs.emplace_back("meshes", kNaoMeshes);
-  }
+  append(inputs, meshes_of(plan, robot));
   plan.add({"robot_picture",
             robot.name + "_picture",
             -1,

@@ -32,7 +32,7 @@ void describe(Fields& f, VariationName& s) {
 }
 
 struct ReportSettings {
-  std::string claims, readings, speed;
+  std::string claims, readings, speed, three;
   std::vector<LayerOfProfile> layers;
   std::vector<std::string> robots;
   std::vector<VariationName> variations;
@@ -42,6 +42,7 @@ void describe(Fields& f, ReportSettings& s) {
   f.text("claims", s.claims, "file of the paper's claims");
   f.text("readings", s.readings, "file of the readings");
   f.text("speed", s.speed, "file of the benchmarks' table");
+  f.text("three", s.three, "folder of three.js; empty: robots are shown by pictures alone");
   f.tables("layers", s.layers, "of the profile, each after the one below");
   f.texts("robots", s.robots, "of the profile");
   f.tables("variations", s.variations, "other readings, run beside this one");
@@ -60,7 +61,7 @@ void run(StageRun& stage) {
   }
   write_report({statistics.at("profile"), settings.layers, settings.robots, Artifacts(artifacts), statistics,
                 evaluate_claims(settings.claims, statistics), read_readings(settings.readings),
-                std::move(variations), read_speed(settings.speed)},
+                std::move(variations), read_speed(settings.speed), settings.three},
                stage.output());
 }
 

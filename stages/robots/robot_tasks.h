@@ -16,6 +16,18 @@ void describe(Fields& f, TransferTable& s) {
   f.number("starts", s.starts, Range{1, 1e4}, "common starts from which each line and arc is executed");
 }
 
+// A robot as the page shows it in three dimensions.
+struct RobotShapeTable {
+  int triangles = 0;
+  double deviation = 0;
+};
+template <class Fields>
+void describe(Fields& f, RobotShapeTable& s) {
+  f.number("triangles", s.triangles, Range{100, 1e6}, "of each robot, at most");
+  f.number("deviation", s.deviation, Range{0, 1},
+           "how far its surfaces may be from its meshes, m; more where there are too many triangles");
+}
+
 // How long the arm's layers evolve on over another robot, and digits over the arm as well.
 struct TuningTable {
   std::int64_t line_generations = 0, arc_generations = 0, digit_generations = 0;

@@ -1,17 +1,19 @@
-// A finished report in a real browser: node tests/browser/run.mjs REPORT/index.html. Every check begins with the
+// A finished report in a real browser: node tests/browser/run.mjs REPORT/index.html; RUN names the folder of its
+// artifacts where that is not the one that REPORT is in. Every check begins with the
 // page as it is opened; the first that fails says why, and all are tried.
 import { readFileSync, statSync } from "node:fs";
-import { resolve } from "node:path";
+import { dirname, resolve } from "node:path";
 import { Browser } from "./browser.mjs";
 import { explorerChecks } from "./explorer_checks.mjs";
 import { pageChecks } from "./page_checks.mjs";
+import { robotChecks } from "./robots3d_checks.mjs";
 
 const file = resolve(process.argv[2]), only = process.argv[3];
-const report = { url: "file://" + file, html: readFileSync(file, "utf8"), bytes: statSync(file).size };
+const report = { url: "file://" + file, run: process.env.RUN ?? dirname(dirname(file)), html: readFileSync(file, "utf8"), bytes: statSync(file).size };
 const browser = await Browser.start();
 let failed = 0;
 try {
-  for (const [name, check] of [...pageChecks, ...explorerChecks]) {
+  for (const [name, check] of [...pageChecks, ...explorerChecks, ...robotChecks]) {
     if (only && !name.includes(only)) continue;
     const page = await browser.page(), begin = Date.now();
     try {

@@ -11,6 +11,7 @@
 #include "tests/end_to_end/expect_explorer.h"
 #include "tests/end_to_end/expect_format.h"
 #include "tests/end_to_end/expect_robots.h"
+#include "tests/end_to_end/expect_shape.h"
 #include "tests/end_to_end/tiny_experiment.h"
 
 namespace hbr {
@@ -179,6 +180,9 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
     robots.expect_tuned(robot);
   }
   robots.expect_tuned("arm");
+  expect_robot_shape(experiment.out("one"), "nao", 0.0015);
+  expect_robot_shape(experiment.out("one"), "industrial", 0.005);
+  expect_arm_shape(experiment.out("one"));
 
   // The page says what was found: its templates' fields are filled, no number is undefined.
   const std::string publish = HBR_BINARY_DIR "/bin/publish " + experiment.out("one/page").string() + " " +
@@ -193,7 +197,8 @@ TEST(Experiment, IsMadeOnceAndAgainOnlyWhereSomethingChanged) {
   explorer.expect_page(page);
 #ifdef NDEBUG  // under sanitizers the page is the same, and the browser is not ours
   const ShellResult browser =
-      shell("node " HBR_SOURCE_DIR "/tests/browser/run.mjs " + experiment.out("report/index.html").string());
+      shell("RUN=" + experiment.out("one").string() + " node " HBR_SOURCE_DIR "/tests/browser/run.mjs " +
+            experiment.out("report/index.html").string());
   EXPECT_EQ(browser.code, 0) << browser.text;
 #endif
 

@@ -83,6 +83,7 @@ class TinyExperiment {
     for (const char* layer : {"line", "arc", "digit"})
       profile.set("tuning", fmt::format("{}_generations", layer), "5");
     profile.set("robot_picture", "height", "150");
+    profile.set("robot_shape", "triangles", "3000");
     profile.set_everywhere("generations", "20");
     profile.set_everywhere("samples", "3");
     profile.set("robot_layer1", "generations", "200");  // few random configurations come near a plane

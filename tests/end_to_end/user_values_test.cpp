@@ -43,7 +43,8 @@ class UserValues : public testing::Test {
     fs::copy(HBR_SOURCE_DIR "/Makefile", checkout_);
     fs::copy(HBR_SOURCE_DIR "/.ci", checkout_ / ".ci");
     fs::create_directories(checkout_ / "pipeline");
-    program(checkout_ / "pipeline/fetch_mnist.sh", "");
+    for (const char* script : {"fetch_mnist.sh", "fetch_three.sh"})
+      program(checkout_ / "pipeline" / script, "");
     std::ofstream(checkout_ / "CMakeLists.txt") << "cmake_minimum_required(VERSION 3.25)\n"
                                                    "project(stand_in LANGUAGES NONE)\n"
                                                    "add_custom_target(programs)\nadd_custom_target(robot)\n";

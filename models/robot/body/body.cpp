@@ -174,4 +174,26 @@ std::vector<bool> Body::moves(int link) const {
   return result;
 }
 
+MovingParts Body::moving_parts() const {
+  HBR_CHECK(plan_->ground == 0, "part {} stands still, expected the root's", plan_->ground);
+  const Lease instance(*this);
+  MovingParts result{{MovingPart()}, plan_->places};
+  for (std::size_t i = 1; i < plan_->parts.size(); ++i) {
+    const Part& part = plan_->parts[i];
+    const SimTK::MobilizedBody& body = instance->bodies[i];
+    const Eigen::Isometry3d outboard = eigen(body.getOutboardFrame(instance->state));
+    MovingPart moving;
+    moving.parent = part.parent;
+    moving.slides = SimTK::MobilizedBody::Slider::isInstanceOf(body);
+    moving.origin = eigen(body.getInboardFrame(instance->state)) * outboard.inverse();
+    // A Pin turns about the z axis of its frames, a Slider goes along x.
+    moving.axis = outboard.linear().col(moving.slides ? 0 : 2);
+    moving.coordinate = part.coordinate;
+    moving.multiplier = part.multiplier;
+    moving.offset = part.offset;
+    result.parts.push_back(moving);
+  }
+  return result;
+}
+
 }  // namespace hbr

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "models/robot/body/motion_tree.h"
+#include "models/robot/body/moving_parts.h"
 #include "models/robot/description/robot_model.h"
 
 namespace hbr {
@@ -65,6 +66,9 @@ class Body {
 
   // The coordinates that move this link.
   std::vector<bool> moves(int link) const;
+
+  // Of a body whose root link stands still.
+  MovingParts moving_parts() const;
 
  private:
   struct Pool;  // of systems that no thread uses

@@ -152,6 +152,8 @@ class Explorer {
       map.draw();
     }
     this.panel.show(layer, row, twin);
+    if (layer.group === "hbr")
+      dispatchEvent(new CustomEvent("hbr-digit", { detail: { replication: this.replication, id: layer.id[row] } }));
   }
   // The digit that the judge is surest of, or the fittest elite.
   selectFirst(step) {

