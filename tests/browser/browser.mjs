@@ -9,7 +9,7 @@ export class Browser {
     const browser = new Browser();
     browser.profile = mkdtempSync(join(tmpdir(), "hbr-browser-"));
     browser.process = spawn(program, ["--headless=new", "--remote-debugging-pipe", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-      "--no-first-run", "--disable-background-networking", "--disable-extensions", "--mute-audio",
+      "--no-first-run", "--disable-dev-shm-usage", "--disable-background-networking", "--disable-extensions", "--mute-audio",
       `--user-data-dir=${browser.profile}`],
       { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
     browser.listen();
