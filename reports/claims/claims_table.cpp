@@ -80,12 +80,12 @@ std::string claims_table(const json& claims) {
               std::to_string(kFewestToTest) + " replications.",
           results);
   if (!design.empty())
-    html += "<h3 id=\"design\">Facts of the design</h3>\n" +
+    html += "<details id=\"design\"><summary>Facts of the design</summary>\n" +
             table(
                 "What the paper says of its experiment and the settings here decide, whatever comes out: "
-                "compared, but "
-                "not counted among the verdicts.",
-                design);
+                "compared, but not counted among the verdicts.",
+                design) +
+            "</details>\n";
   return html;
 }
 
