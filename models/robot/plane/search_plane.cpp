@@ -24,9 +24,10 @@ class BoardSearch {
   BoardSearch(const ReachMap& map, const BoardRules& rules, const std::vector<Eigen::Vector2d>& points,
               double half_side, const Eigen::Vector3d& eye)
       : map_(map), rules_(rules), points_(points), half_side_(half_side), eye_(eye) {
-    for (const Eigen::Vector2d& p : points) radius_ = std::max(radius_, p.norm());
+    double radius = 1e-9;  // m of the arm
+    for (const Eigen::Vector2d& p : points) radius = std::max(radius, p.norm());
     most_missing_ = static_cast<int>(kMissing * static_cast<double>(points.size()));
-    largest_ = map.box().diagonal().norm() / 2 / std::max(radius_, 1e-9);
+    largest_ = map.box().diagonal().norm() / 2 / radius;
   }
 
   Board board(const BoardPlace& pose) const {
@@ -110,7 +111,7 @@ class BoardSearch {
   const std::vector<Eigen::Vector2d>& points_;
   double half_side_;
   Eigen::Vector3d eye_;
-  double radius_ = 0, largest_ = 0;
+  double largest_ = 0;
   int most_missing_ = 0;
 };
 

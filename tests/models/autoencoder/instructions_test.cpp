@@ -73,7 +73,7 @@ TEST(Instructions, NothingIsFusedWhereBytesAreTheSameEverywhere) {
   EXPECT_GT(multiplications, 500);  // there was something to fuse
 }
 
-// Built by GCC 12 for AVX2 the last layer's few products are not fused, as most of the kernels' are (above):
+// Built by GCC 12 for AVX2 this product was seen not to be fused, though most of the kernels' are (above):
 // there the result says nothing.
 #if defined(__OPTIMIZE__) && (defined(__AVX512F__) || !defined(__FMA__))
 // 2^20 (1 + 2^-12)^2 = 2^20 (1 + 2^-11) + 2^-4. As a float of its own the product loses the last term, which
