@@ -36,6 +36,8 @@ const std::map<std::string, std::vector<std::string>> kMayInclude = {
     {"reports/figures",
      {"pipeline/core", "pipeline/artifact", "pipeline/statistics", "reports/text", "reports/plot"}},
     {"reports/claims", {"pipeline/core", "pipeline/artifact", "pipeline/statistics", "reports/text"}},
+    {"reports/readings",
+     {"pipeline/core", "pipeline/artifact", "pipeline/statistics", "reports/text", "reports/claims"}},
     {"reports/kept", {"pipeline/core", "pipeline/artifact", "pipeline/statistics", "reports/text"}},
     {"reports/page", {"pipeline/core", "pipeline/artifact", "pipeline/statistics", "reports"}},
     {"reports/compare",

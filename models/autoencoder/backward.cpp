@@ -185,14 +185,15 @@ void conv1_gradient(const Tile<N>& tile, Slopes<N>& slopes, float* gradient) {
 
 template <int N>
 void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float scale, float* gradient) {
-  const float leak = net.leak;
-  const auto rectified = [leak](Lanes y) { return leaky_slope(y, leak); };
+  const HiddenUnits unit(net.activations);
+  const auto slope_of = [&unit](Lanes y) { return unit.slope(y); };
+  const bool linear = net.activations.linear_output;
   float* const to_deconv2 = gradient + net.layout.size;
   float* const to_output = to_deconv2 + kDeconv2Spectra;
   const auto weights = [&](LayerIndex i) { return gradient + net.layer(i).kernel; };
   const auto bias = [&](LayerIndex i) { return gradient + net.layer(i).bias; };
 
-  // Output: sigmoid and squared error.
+  // Output: its units and the squared error.
   for (int v = 0; v < N; ++v) {
     Lanes factor;
     for (int l = 0; l < kLanes; ++l) factor[l] = v * kLanes + l < tile.images ? scale * (2.f / kPixels) : 0.f;
@@ -200,7 +201,8 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
       for (int x = 0; x < kSide; ++x) {
         const Lanes out = tile.map(kDecoded)[v * kPlane + y * kSide + x];
         const Lanes in = tile.map(kImage)[v * kPlane + y * kImageWidth + kImageBorder + x];
-        slopes.map(kOutputSlope)[v * kSlopePlane + y * kSide + x] = (out - in) * out * (1.f - out) * factor;
+        slopes.map(kOutputSlope)[v * kSlopePlane + y * kSide + x] =
+            linear ? (out - in) * factor : (out - in) * out * (1.f - out) * factor;
       }
   }
   output_gradient<N>(tile.map(kGrown2), slopes.map(kOutputSlope), to_output);
@@ -213,7 +215,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
     for (int v = 0; v < N; ++v)
       for (int b = 0; b < B; ++b)
         slopes.map(kGrown2Slope)[v * kSlopePlane + to + b] =
-            sum[v][b] * rectified(tile.map(kGrown2)[v * kPlane + from + b]);
+            sum[v][b] * slope_of(tile.map(kGrown2)[v * kPlane + from + b]);
   });
   const auto keep = [&](Map activation, SlopeMap slope, int size) {
     return [&, activation, slope, size]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
@@ -221,7 +223,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
       for (int v = 0; v < N; ++v)
         for (int b = 0; b < B; ++b)
           slopes.map(slope)[v * kSlopePlane + at + b] =
-              sum[v][b] * rectified(tile.map(activation)[v * kPlane + at + b]);
+              sum[v][b] * slope_of(tile.map(activation)[v * kPlane + at + b]);
     };
   };
   bias_gradient<kMaps, N>(slopes.map(kGrown2Slope), kSlopePlane, 14 * 14, bias(kDeconv2));
@@ -233,7 +235,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
                                               4 * kMaps, slopes.below);
     spectra_to_maps<kMaps>(slopes.below, [&](int y, int x, int c, Lanes sum) {
       const Index at = (y * 7 + x) * kMaps + c;
-      slopes.map(kGrown1Slope)[v * kSlopePlane + at] = sum * rectified(tile.map(kGrown1)[v * kPlane + at]);
+      slopes.map(kGrown1Slope)[v * kSlopePlane + at] = sum * slope_of(tile.map(kGrown1)[v * kPlane + at]);
     });
   }
   kernel_gradient<3, kMaps, kMaps, 7, N>(tile.map(kSeeds), kPlane, slopes.map(kGrown1Slope), kSlopePlane,
@@ -243,14 +245,13 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
                                   keep(kSeeds, kSeedsSlope, 7));
 
   // Dense layers.
-  dense_backward(net, kDense5, tile.map(kHidden4), slopes, kSeedsSlope, kHidden4Slope, gradient, rectified);
-  dense_backward(net, kDense4, tile.map(kHidden3), slopes, kHidden4Slope, kHidden3Slope, gradient, rectified);
+  dense_backward(net, kDense5, tile.map(kHidden4), slopes, kSeedsSlope, kHidden4Slope, gradient, slope_of);
+  dense_backward(net, kDense4, tile.map(kHidden3), slopes, kHidden4Slope, kHidden3Slope, gradient, slope_of);
   dense_backward(net, kDense3, tile.map(kPosition), slopes, kHidden3Slope, kPositionSlope, gradient,
-                 [](Lanes y) { return 1.f - y * y; });
-  dense_backward(net, kLatent, tile.map(kHidden2), slopes, kPositionSlope, kHidden2Slope, gradient,
-                 rectified);
-  dense_backward(net, kDense2, tile.map(kHidden1), slopes, kHidden2Slope, kHidden1Slope, gradient, rectified);
-  dense_backward(net, kDense1, tile.map(kPool2), slopes, kHidden1Slope, kPool2Slope, gradient, rectified);
+                 [](Lanes y) { return tanh_slope(y); });
+  dense_backward(net, kLatent, tile.map(kHidden2), slopes, kPositionSlope, kHidden2Slope, gradient, slope_of);
+  dense_backward(net, kDense2, tile.map(kHidden1), slopes, kHidden2Slope, kHidden1Slope, gradient, slope_of);
+  dense_backward(net, kDense1, tile.map(kPool2), slopes, kHidden1Slope, kPool2Slope, gradient, slope_of);
 
   // Encoder's convolutions.
   for (int y = 0; y < 14; ++y)

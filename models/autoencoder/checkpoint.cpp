@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/temporary.h"
@@ -32,12 +31,11 @@ Floats read_floats(const Hdf5Reader& file, const char* name, std::size_t expecte
 
 }  // namespace
 
-TrainingState::TrainingState(const AutoencoderSettings& settings, Seed seed, std::int64_t count)
-    : network(settings.latent_size, static_cast<float>(settings.leak)),
+TrainingState::TrainingState(const AutoencoderSettings& settings, Seed seed, std::vector<std::int64_t> all)
+    : network(settings.latent_size, activations_of(settings)),
       adam(network.parameters.size()),
-      samples(static_cast<std::size_t>(count)) {
+      samples(std::move(all)) {
   network.initialise(seed, static_cast<float>(settings.output_bias));
-  std::iota(samples.begin(), samples.end(), 0);
   kept_per_class.fill(1);
 }
 

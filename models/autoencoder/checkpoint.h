@@ -14,7 +14,7 @@
 namespace hbr::net {
 
 struct TrainingState {
-  TrainingState(const AutoencoderSettings& settings, Seed seed, std::int64_t samples);
+  TrainingState(const AutoencoderSettings& settings, Seed seed, std::vector<std::int64_t> all);
 
   Network network;
   Adam adam;

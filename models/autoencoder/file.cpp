@@ -46,12 +46,23 @@ double checked_attribute(const Hdf5Reader& file, const char* name, double low, d
   return value;
 }
 
+// Whether an attribute is the second of two words.
+bool is_second(const Hdf5Reader& file, const char* name, const char* first, const char* second) {
+  const std::string value = file.text_attribute(name);
+  if (value != first && value != second)
+    throw InputError("{}: attribute {} is '{}', expected '{}' or '{}'", file.path().string(), name, value,
+                     first, second);
+  return value == second;
+}
+
 }  // namespace
 
 void write_autoencoder(Hdf5Writer& file, const Autoencoder& autoencoder) {
   const net::Network& network = autoencoder.network();
   file.attribute("latent_size", static_cast<std::int64_t>(network.layout.latent_size));
-  file.attribute("leak", static_cast<double>(network.leak));
+  file.attribute("leak", static_cast<double>(network.activations.leak));
+  file.attribute("hidden", std::string(network.activations.tanh_hidden ? "tanh" : "leaky"));
+  file.attribute("output", std::string(network.activations.linear_output ? "linear" : "sigmoid"));
   for (const Layer& l : network.layout.layers) {
     const float* p = network.parameters.data();
     write_rows(file, kernel_name(l), l.shape, p + l.kernel, l.inputs, l.outputs, l.stride);
@@ -63,7 +74,10 @@ void write_autoencoder(Hdf5Writer& file, const Autoencoder& autoencoder) {
 Autoencoder load_autoencoder(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
   const double latent = checked_attribute(file, "latent_size", 1, net::kMaxLatent);
-  net::Network network(static_cast<int>(latent), static_cast<float>(checked_attribute(file, "leak", 0, 1)));
+  const net::Activations activations = {static_cast<float>(checked_attribute(file, "leak", 0, 1)),
+                                        is_second(file, "hidden", "leaky", "tanh"),
+                                        is_second(file, "output", "sigmoid", "linear")};
+  net::Network network(static_cast<int>(latent), activations);
   for (const Layer& l : network.layout.layers) {
     float* p = network.parameters.data();
     read_rows(file, kernel_name(l), l.shape, p + l.kernel, l.outputs, l.stride);

@@ -8,7 +8,8 @@
 
 namespace hbr {
 
-// Writes weights/LAYER/kernel and weights/LAYER/bias, and the attributes `latent_size` and `leak`.
+// Writes weights/LAYER/kernel and weights/LAYER/bias, and the attributes `latent_size`, `leak`,
+// `hidden` and `output`.
 void write_autoencoder(Hdf5Writer& file, const Autoencoder& autoencoder);
 
 // Throws InputError, naming file and array, where a shape is not the network's or a number is not finite.

@@ -19,10 +19,10 @@ HBR_INLINE void dense(const Network& network, LayerIndex which, const Lanes* in,
   });
 }
 
-// Convolution, max-pool and leaky rectifier (which commutes with the pool) at once.
+// Convolution, max-pool and activation (which commutes with the pool) at once.
 template <int Taps, int In, int Size, int N, bool Training, class Rows>
 HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weight, const float* bias,
-                                  const Rows& rows, float leak, Lanes* out, IntLanes* winners) {
+                                  const Rows& rows, const HiddenUnits& unit, Lanes* out, IntLanes* winners) {
   constexpr int B = kConvolutionBlock<kMaps>;
   for (int y = 0; y < Size / 2; ++y)
     for (int x = 0; x < Size / 2; ++x)
@@ -43,7 +43,7 @@ HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weigh
         }
         const Index pixel = y * (Size / 2) + x;
         for (int v = 0; v < N; ++v) {
-          for (int b = 0; b < B; ++b) out[v * kPlane + pixel * kMaps + o + b] = leaky(best[v][b], leak);
+          for (int b = 0; b < B; ++b) out[v * kPlane + pixel * kMaps + o + b] = unit(best[v][b]);
           if constexpr (Training) {
             IntLanes packed = o == 0 ? IntLanes{} : winners[v * kWinnersPlane + pixel];
             for (int b = 0; b < B; ++b) packed |= from[v][b] << (2 * (o + b));
@@ -55,24 +55,24 @@ HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weigh
 
 template <int N, bool Training>
 void encode_tile(const Network& net, Tile<N>& tile) {
-  const float leak = net.leak;
-  const auto rectify = [leak](Lanes x) { return leaky(x, leak); };
+  const HiddenUnits unit(net.activations);
   const auto spans = [&](int row) { return tile.spans[static_cast<std::size_t>(row)]; };
   convolve_and_pool<9, 1, kSide, N, Training>(tile.map(kImage) + kImageBorder, kImageWidth,
-                                              net.kernel(kConv1), net.bias(kConv1), spans, leak,
+                                              net.kernel(kConv1), net.bias(kConv1), spans, unit,
                                               tile.map(kPool1), tile.winners + kWinners1);
   convolve_and_pool<3, kMaps, 14, N, Training>(tile.map(kPool1), 14, net.kernel(kConv2), net.bias(kConv2),
-                                               WholeRow<14>{}, leak, tile.map(kPool2),
+                                               WholeRow<14>{}, unit, tile.map(kPool2),
                                                tile.winners + kWinners2);
-  dense<N>(net, kDense1, tile.map(kPool2), tile.map(kHidden1), rectify);
-  dense<N>(net, kDense2, tile.map(kHidden1), tile.map(kHidden2), rectify);
+  dense<N>(net, kDense1, tile.map(kPool2), tile.map(kHidden1), unit);
+  dense<N>(net, kDense2, tile.map(kHidden1), tile.map(kHidden2), unit);
   dense<N>(net, kLatent, tile.map(kHidden2), tile.map(kPosition), [](Lanes x) { return tanh(x); });
 }
 
-// The last convolution in sub-pixel form on 14 x 14 maps, and the sigmoid. Of its nine taps each parity sees
-// four.
+// The last convolution in sub-pixel form on 14 x 14 maps, and the output's units. Of its nine taps each
+// parity sees four.
 template <int N>
 HBR_INLINE void decode_output(const Network& net, const Lanes* in, Lanes* decoded) {
+  const bool linear = net.activations.linear_output;
   for (int y = 0; y < 14; ++y)
     for (int x = 0; x < 14; ++x) {
       Lanes sum[N][4];
@@ -98,7 +98,8 @@ HBR_INLINE void decode_output(const Network& net, const Lanes* in, Lanes* decode
       (std::make_integer_sequence<int, 9>());
       for (int v = 0; v < N; ++v)
         for (int parity = 0; parity < 4; ++parity)
-          decoded[v * kPlane + (2 * y + parity / 2) * kSide + 2 * x + parity % 2] = sigmoid(sum[v][parity]);
+          decoded[v * kPlane + (2 * y + parity / 2) * kSide + 2 * x + parity % 2] =
+              linear ? sum[v][parity] : sigmoid(sum[v][parity]);
     }
 }
 
@@ -152,17 +153,16 @@ void encode(const Network& network, Tile<N>& tile, bool training) {
 
 template <int N>
 void decode(const Network& net, Tile<N>& tile) {
-  const float leak = net.leak;
-  const auto rectify = [leak](Lanes x) { return leaky(x, leak); };
-  dense<N>(net, kDense3, tile.map(kPosition), tile.map(kHidden3), rectify);
-  dense<N>(net, kDense4, tile.map(kHidden3), tile.map(kHidden4), rectify);
-  dense<N>(net, kDense5, tile.map(kHidden4), tile.map(kSeeds), rectify);
+  const HiddenUnits unit(net.activations);
+  dense<N>(net, kDense3, tile.map(kPosition), tile.map(kHidden3), unit);
+  dense<N>(net, kDense4, tile.map(kHidden3), tile.map(kHidden4), unit);
+  dense<N>(net, kDense5, tile.map(kHidden4), tile.map(kSeeds), unit);
   convolve<3, kMaps, kMaps, 7, N>(tile.map(kSeeds), kPlane, net.kernel(kDeconv1), net.bias(kDeconv1),
                                   [&]<int B>(int y, int x, int o, Lanes(&sum)[N][B]) {
                                     for (int v = 0; v < N; ++v)
                                       for (int b = 0; b < B; ++b)
                                         tile.map(kGrown1)[v * kPlane + (y * 7 + x) * kMaps + o + b] =
-                                            rectify(sum[v][b]);
+                                            unit(sum[v][b]);
                                   });
   for (int v = 0; v < N; ++v) {
     maps_to_spectra<kMaps>(tile.map(kGrown1) + v * kPlane, tile.below);
@@ -171,7 +171,7 @@ void decode(const Network& net, Tile<N>& tile) {
     spectra_to_maps<4 * kMaps>(tile.above, [&](int y, int x, int o, Lanes sum) {
       const int parity = o / kMaps, channel = o % kMaps;
       const Index at = ((2 * y + parity / 2) * 14 + 2 * x + parity % 2) * kMaps + channel;
-      tile.map(kGrown2)[v * kPlane + at] = rectify(sum + net.bias(kDeconv2)[channel]);
+      tile.map(kGrown2)[v * kPlane + at] = unit(sum + net.bias(kDeconv2)[channel]);
     });
   }
   decode_output<N>(net, tile.map(kGrown2), tile.map(kDecoded));

@@ -11,6 +11,19 @@
 
 namespace hbr::net {
 
+// The units between the layers; their slope follows from their result, too.
+class HiddenUnits {
+ public:
+  explicit HiddenUnits(const Activations& activations)
+      : leak_(activations.leak), tanh_(activations.tanh_hidden) {}
+  HBR_INLINE Lanes operator()(Lanes x) const { return tanh_ ? tanh(x) : leaky(x, leak_); }
+  HBR_INLINE Lanes slope(Lanes y) const { return tanh_ ? tanh_slope(y) : leaky_slope(y, leak_); }
+
+ private:
+  float leak_;
+  bool tanh_;
+};
+
 // Columns of a row that may differ from zero.
 struct Span {
   int begin, end;

@@ -102,8 +102,9 @@ HBR_INLINE Lanes exp(Lanes x) {
 HBR_INLINE Lanes sigmoid(Lanes x) { return 1.f / (1.f + exp(-x)); }
 HBR_INLINE Lanes tanh(Lanes x) { return 1.f - 2.f / (1.f + exp(x + x)); }
 
-// Leaky rectifier; its slope follows from its result, too.
+// Leaky rectifier; slopes follow from results.
 HBR_INLINE Lanes leaky(Lanes x, float leak) { return x > 0.f ? x : x * leak; }
 HBR_INLINE Lanes leaky_slope(Lanes y, float leak) { return y > 0.f ? broadcast(1.f) : broadcast(leak); }
+HBR_INLINE Lanes tanh_slope(Lanes y) { return 1.f - y * y; }
 
 }  // namespace hbr::net

@@ -89,15 +89,16 @@ void from_subpixel(int size, int inputs, int outputs, const float* subpixel, flo
   pair_subpixel(size, inputs, outputs, [&](int k, int s) { kernel[k] += subpixel[s]; });
 }
 
-Network::Network(int latent_size, float leak_)
-    : layout(latent_size), leak(leak_), parameters(static_cast<std::size_t>(layout.size), 0.f) {
+Network::Network(int latent_size, Activations activations_)
+    : layout(latent_size), activations(activations_), parameters(static_cast<std::size_t>(layout.size), 0.f) {
   refresh();
 }
 
 void Network::initialise(Seed seed, float output_start) {
   for (int l = 0; l < kLayers; ++l) {
     const Layer& layer = layout.layers[static_cast<std::size_t>(l)];
-    const bool rectified = l != kLatent && l != kOutput;
+    const bool rectified = l != kLatent && l != kOutput && !activations.tanh_hidden;
+    const float leak = activations.leak;
     const double gain = rectified ? 2. / (1. + leak * leak) : 1.;
     const float limit = static_cast<float>(std::sqrt(3. * gain / static_cast<double>(layer.inputs)));
     Rng rng(seed.child(layer.name));

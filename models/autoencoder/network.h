@@ -2,11 +2,11 @@
 // read.
 //
 //   encoder  CV(8,9c1s) - maxpool - CV(8,3c1s) - maxpool - FC(100, 100, d), tanh
-//   decoder  FC(100, 100, 392) - DC(8,3c1s) - unpool - DC(8,9c1s) - unpool - CV(1,3c1s), sigmoid
+//   decoder  FC(100, 100, 392) - DC(8,3c1s) - unpool - DC(8,9c1s) - unpool - CV(1,3c1s), sigmoid or none
 //
-// Leaky rectifiers elsewhere, all convolutions with stride 1 and zero borders. A "deconvolution" of stride 1
-// is a convolution with its kernel turned round, so DC layers are trained as convolutions. Unpooling doubles
-// rows and columns (nearest neighbour).
+// Leaky rectifiers (or tanh) elsewhere, all convolutions with stride 1 and zero borders. A "deconvolution" of
+// stride 1 is a convolution with its kernel turned round, so DC layers are trained as convolutions. Unpooling
+// doubles rows and columns (nearest neighbour).
 #pragma once
 
 #include <tbb/cache_aligned_allocator.h>
@@ -74,14 +74,23 @@ void to_subpixel(int size, int inputs, int outputs, const float* kernel, float* 
 // The transposed map, for gradients: adds to `kernel`.
 void from_subpixel(int size, int inputs, int outputs, const float* subpixel, float* kernel);
 
+// What the paper does not say of the units: those between the layers are leaky rectifiers, whose slope below
+// zero is `leak`, or tanh; the output's are sigmoids, or linear.
+struct Activations {
+  float leak = 0;
+  bool tanh_hidden = false;
+  bool linear_output = false;
+  bool operator==(const Activations&) const = default;
+};
+
 // Parameters and, for the kernels, their derived forms.
 class Network {
  public:
-  Network(int latent_size, float leak);
+  Network(int latent_size, Activations activations);
 
-  // Uniform with the variance that keeps the scale of signals: He for rectified layers, Glorot for the latent
-  // and the output; biases 0 but the output's, which starts at `output_bias` (about the logit of the mean
-  // brightness; from 0 most initialisations collapse to the mean image).
+  // Uniform with the variance that keeps the scale of signals: He for rectified layers, Glorot for the
+  // latent, the output and tanh; biases 0 but the output's, which starts at `output_bias` (about the logit of
+  // the mean brightness; from 0 most initialisations collapse to the mean image).
   void initialise(Seed seed, float output_bias);
   // To be called when the parameters have changed.
   void refresh();
@@ -91,7 +100,7 @@ class Network {
   const float* bias(LayerIndex i) const { return parameters.data() + layout.layers[i].bias; }
 
   Layout layout;
-  float leak;
+  Activations activations;
   Floats parameters;
   Floats deconv2_spectra;           // of the sub-pixel form (fourier.h), so that its results need no factor
   Floats output;                    // sub-pixel form

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "models/autoencoder/checkpoint.h"
@@ -13,6 +14,12 @@ namespace hbr {
 namespace {
 
 using net::TrainingState;
+
+std::vector<std::int64_t> all_samples(const AutoencoderSettings& settings, const ImageSet& train) {
+  std::vector<std::int64_t> all(settings.training_samples > 0 ? settings.training_samples : train.count);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
 
 // Shares of a batch whose gradients are worked out apart and summed in this order: the bound of the threads
 // that help, and part of what the result is.
@@ -37,7 +44,9 @@ class Trainer {
     if (report.epoch == 1 || report.epoch == settings_.epochs || report.epoch % settings_.test_every == 0)
       report.test_error = evaluate(report.epoch);
     state_.epochs.push_back(report);
-    if (report.epoch == settings_.cut_after && report.epoch < settings_.epochs) cut();
+    const bool again = settings_.cut == "every_epoch" && settings_.cut_after > 0;
+    if (report.epoch == settings_.epochs) return;
+    if (report.epoch == settings_.cut_after || (again && report.epoch > settings_.cut_after)) cut();
   }
 
  private:
@@ -116,10 +125,12 @@ class Trainer {
     return mean;
   }
 
-  // Keeps the samples whose error is below the mean.
+  // Keeps the samples whose error is below the mean, of those that there are or of all.
   void cut() {
+    std::vector<std::int64_t> candidates = state_.samples;
+    if (settings_.cut == "every_epoch") candidates = all_samples(settings_, train_);
     std::vector<const std::uint8_t*> images;
-    for (std::int64_t i : state_.samples) images.push_back(image(i));
+    for (std::int64_t i : candidates) images.push_back(image(i));
     std::vector<float> latent, error;
     describe(images, latent, error);
     double sum = 0;
@@ -128,7 +139,7 @@ class Trainer {
     std::vector<std::int64_t> kept;
     std::array<double, 10> before{}, after{};
     for (std::size_t k = 0; k < error.size(); ++k) {
-      const std::int64_t i = state_.samples[k];
+      const std::int64_t i = candidates[k];
       before[train_.labels[i]] += 1;
       if (error[k] >= mean) continue;
       after[train_.labels[i]] += 1;
@@ -187,6 +198,10 @@ std::string identity_of(const AutoencoderSettings& settings, Seed seed, const Im
 
 }  // namespace
 
+net::Activations activations_of(const AutoencoderSettings& settings) {
+  return {static_cast<float>(settings.leak), settings.hidden == "tanh", settings.output == "linear"};
+}
+
 TrainedAutoencoder train_autoencoder(const AutoencoderSettings& settings, Seed seed, const ImageSet& train,
                                      const ImageSet& test, Workers& workers, const TrainingHooks& hooks) {
   check_images(train, "training");
@@ -194,8 +209,7 @@ TrainedAutoencoder train_autoencoder(const AutoencoderSettings& settings, Seed s
   if (settings.training_samples > train.count)
     throw InputError("training_samples is {}, but there are only {} training images",
                      settings.training_samples, train.count);
-  TrainingState state(settings, seed,
-                      settings.training_samples > 0 ? settings.training_samples : train.count);
+  TrainingState state(settings, seed, all_samples(settings, train));
   Trainer trainer(settings, seed, train, test, workers, state);
 
   const std::string identity = hooks.checkpoint.empty() ? "" : identity_of(settings, seed, train, test);

@@ -24,8 +24,11 @@ struct AutoencoderSettings {
   double learning_rate = 1e-3;
   int halve_every = 41;
   int cut_after = 120;
+  std::string cut = "once";
   int latent_size = 2;
+  std::string hidden = "leaky";
   double leak = 0.1;
+  std::string output = "sigmoid";
   double output_bias = -2;
   std::int64_t training_samples = 0;
   int test_every = 1;
@@ -40,15 +43,22 @@ void describe(Fields& f, AutoencoderSettings& s) {
            "epochs after which the rate is halved, again and again");
   f.number("cut_after", s.cut_after, Range{0, 1e5},
            "epoch after which the training set keeps the samples with an error below the mean; 0 for never");
+  f.choice("cut", s.cut, {"once", "every_epoch"},
+           "the samples to keep are chosen then, or from all after every epoch from then on");
   f.number("latent_size", s.latent_size, Range{1, net::kMaxLatent}, "dimensions of the latent space");
+  f.choice("hidden", s.hidden, {"leaky", "tanh"}, "units between the layers: leaky rectifiers or tanh");
   f.number("leak", s.leak, Range{0, 1}, "slope of the leaky rectifiers below zero");
+  f.choice("output", s.output, {"sigmoid", "linear"}, "units of the output");
   f.number("output_bias", s.output_bias, Range{-10, 10},
-           "bias of the output at the start, about the logit of the mean brightness");
+           "bias of the output at the start, about the logit of the mean brightness (of a linear output: "
+           "about the mean brightness)");
   f.number("training_samples", s.training_samples, Range{0, 1e9},
            "how many of the training images to use, from the first; 0 for all");
   f.number("test_every", s.test_every, Range{1, 1e5},
            "epochs from one test to the next; the first and the last are always tested");
 }
+
+net::Activations activations_of(const AutoencoderSettings& settings);
 
 // Images of 28 x 28 bytes and what they show (0 to 9).
 struct ImageSet {

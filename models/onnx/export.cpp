@@ -16,7 +16,9 @@ constexpr const char *kImage =
                          "images n x 1 x 28 x 28 (image, channel, row from the top, column), float32, "
                          "from 0 (black, no ink) to 1 (white, ink)",
                      *kPosition = "places n x d in the latent space, float32, each coordinate from -1 to 1",
-                     *kDecoded = "reconstructions n x 1 x 28 x 28 of the images, float32, from 0 to 1";
+                     *kDecoded = "reconstructions n x 1 x 28 x 28 of the images, float32, from 0 to 1",
+                     *kLinearlyDecoded =
+                         "reconstructions n x 1 x 28 x 28 of the images, float32, about 0 to 1";
 
 // ONNX flattens maps channel by channel, our network pixel by pixel.
 Index flat_in_onnx(Index i) { return i % net::kMaps * kPlace + i / net::kMaps; }
@@ -28,31 +30,32 @@ class Exporter {
   void encoder() {
     graph_.input("image", {1, net::kSide, net::kSide}, kImage);
     convolution(net::kConv1, "image");
-    pool(rectified());
+    pool(activated());
     convolution(net::kConv2, last_);
-    pool(rectified());
+    pool(activated());
     add("Flatten", {last_}, "flat", {{"axis", std::int64_t{1}}});
     dense(net::kDense1, last_);
-    dense(net::kDense2, rectified());
-    dense(net::kLatent, rectified());
+    dense(net::kDense2, activated());
+    dense(net::kLatent, activated());
     add("Tanh", {last_}, "position");
     graph_.output("position", {network_.layout.latent_size}, kPosition);
   }
 
   void decoder() {
     dense(net::kDense3, "position");
-    dense(net::kDense4, rectified());
-    dense(net::kDense5, rectified());
+    dense(net::kDense4, activated());
+    dense(net::kDense5, activated());
     graph_.numbers("maps", {-1, net::kMaps, 7, 7});
-    add("Reshape", {rectified(), "maps"}, "seeds");
+    add("Reshape", {activated(), "maps"}, "seeds");
     graph_.weights("twice", {4}, {1, 1, 2, 2});
     convolution(net::kDeconv1, last_);
-    unpool(rectified());
+    unpool(activated());
     convolution(net::kDeconv2, last_);
-    unpool(rectified());
+    unpool(activated());
     convolution(net::kOutput, last_);
-    add("Sigmoid", {last_}, "decoded");
-    graph_.output("decoded", {1, net::kSide, net::kSide}, kDecoded);
+    const bool linear = network_.activations.linear_output;
+    add(linear ? "Identity" : "Sigmoid", {last_}, "decoded");
+    graph_.output("decoded", {1, net::kSide, net::kSide}, linear ? kLinearlyDecoded : kDecoded);
   }
 
   void decoder_alone() {
@@ -108,8 +111,11 @@ class Exporter {
     add("Gemm", {input, l.name + "/kernel", l.name + "/bias"}, l.name, {{"transB", std::int64_t{1}}});
   }
 
-  std::string rectified() {
-    add("LeakyRelu", {last_}, last_ + "/rectified", {{"alpha", network_.leak}});
+  std::string activated() {
+    if (network_.activations.tanh_hidden)
+      add("Tanh", {last_}, last_ + "/activated");
+    else
+      add("LeakyRelu", {last_}, last_ + "/activated", {{"alpha", network_.activations.leak}});
     return last_;
   }
 

@@ -17,6 +17,7 @@ void Executions::begin(const PointLayer& points, int n, Way way) {
     origin_.resize(n);
   }
   std::fill(origin_.begin(), origin_.end(), Eigen::Vector2d::Zero());
+  if (open_loop()) commanded_.resize(n);
   if (!way.kept) return;
   way_.resize(std::max<std::size_t>(way_.size(), n));
   pen_down_.resize(way_.size());
@@ -45,6 +46,9 @@ void Executions::move(Group group, const std::int32_t* elites) {
   }
   if (kept_.kept)
     for (std::size_t i = 0; i < group.size(); ++i) way_[group[i]].push_back(elites[i]);
+  if (open_loop())
+    for (std::size_t i = 0; i < group.size(); ++i)
+      commanded_[group[i]] = Eigen::Vector2f::Map(points_->descriptor(elites[i]));
 }
 
 void Executions::displace(Group group, const Displacements& displacements, const std::int32_t* which,
@@ -63,6 +67,14 @@ void Executions::displace(Group group, const Displacements& displacements, const
       y[i] = from[1] + step_y;
     }
   }
+  if (open_loop())
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::int32_t by = which[i / repeat] * displacements.stride;
+      Eigen::Vector2f& commanded = commanded_[group[i]];
+      commanded += Eigen::Vector2f(displacements.x[by], displacements.y[by]);
+      x[i] = commanded.x();
+      y[i] = commanded.y();
+    }
   std::vector<std::int32_t>& stop = next_stop(group);
   if (all) {
     points_->nearest(static_cast<int>(n), {x, y}, stop.data());
@@ -84,7 +96,8 @@ void Executions::keep_way(Group group, const Displacements& displacements, const
   ends_.clear();
   for (std::size_t i = 0; i < group.size(); ++i) {
     const Eigen::Vector2d& displacement = displacements.metres[which[i / repeat] * displacements.stride];
-    const Eigen::Vector2d start = points_->position(at_[group[i]]);
+    const Eigen::Vector2d start = open_loop() ? points_->frame().point(commanded_[group[i]].cast<double>())
+                                              : points_->position(at_[group[i]]);
     const int steps = std::max(1, static_cast<int>(std::ceil(displacement.norm() / kept_.spacing)));
     for (int step = 1; step <= steps; ++step) {
       const Eigen::Vector2d place = start + displacement * (static_cast<double>(step) / steps);
@@ -114,6 +127,8 @@ std::span<const std::int32_t> Executions::stroke(int execution, int k) const {
 void Executions::put_down(int execution, const Eigen::Vector2d& place, float width) {
   const std::int32_t elite = points_->nearest(place + origin_[execution]);
   at_[execution] = elite;
+  if (open_loop())
+    commanded_[execution] = points_->frame().point_descriptor(place + origin_[execution]).cast<float>();
   if (!kept_.kept) return;
   pen_down_[execution].push_back({static_cast<std::int32_t>(way_[execution].size()), width});
   way_[execution].push_back(elite);

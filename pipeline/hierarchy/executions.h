@@ -15,11 +15,16 @@ struct PenDown {
   float width;
 };
 
+// From where each displacement counts: from the elite that the one before reached, or, an open loop, from
+// where that one was to end, so that what the elites miss does not add up.
+enum class WayPoints { kReached, kCommanded };
+
 // How much of the way is kept: the stops alone, or all elites that the pen passes. A displacement is drawn
 // straight to its end (spacing 0) or through the elites nearest to points `spacing` [m] apart.
 struct Way {
   bool kept = false;
   double spacing = 0;
+  WayPoints points = WayPoints::kReached;
 };
 
 // Displacements of the pen, and the same as layer 1's look-ups take them (Frame::point_step), coordinate by
@@ -64,12 +69,15 @@ class Executions {
 
  private:
   std::vector<std::int32_t>& next_stop(Group group);
+  bool open_loop() const { return kept_.points == WayPoints::kCommanded; }
   void keep_way(Group group, const Displacements& displacements, const std::int32_t* which, int repeat);
 
   const PointLayer* points_ = nullptr;
   Way kept_;
   std::vector<std::int32_t> at_, all_;
   std::vector<Eigen::Vector2d> origin_;
+  // Of an open loop: where each execution was to be, in layer 1's descriptor units.
+  std::vector<Eigen::Vector2f> commanded_;
   // Points to look up; where those of each execution of a group end, and the elites nearest to them.
   std::vector<float> query_[2];
   std::vector<std::size_t> ends_;

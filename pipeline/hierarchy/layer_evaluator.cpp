@@ -19,8 +19,9 @@ void SingleEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index en
   outcome_.measure(executions, batch.descriptor.row(begin).data(), &batch.fitness[begin]);
 }
 
-SampledEvaluator::SampledEvaluator(const Executor& executor, const SampledOutcome& outcome)
-    : executor_(executor), outcome_(outcome) {
+SampledEvaluator::SampledEvaluator(const Executor& executor, const SampledOutcome& outcome,
+                                   SampleFitness fitness)
+    : executor_(executor), outcome_(outcome), fitness_(fitness) {
   HBR_CHECK(outcome.descriptor_size() <= kMaxDimensions, "a stochastic descriptor of {} dimensions",
             outcome.descriptor_size());
 }
@@ -30,10 +31,21 @@ void SampledEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index e
             [&](const Executions& executions, const Typical& typical) {
               std::copy_n(typical.descriptor, descriptor_size(), batch.descriptor.row(typical.row).data());
               batch.uncertainty[typical.row] = typical.uncertainty;
-              batch.fitness[typical.row] =
-                  static_cast<float>(outcome_.fitness(executions, typical.execution));
+              batch.fitness[typical.row] = static_cast<float>(
+                  fitness_ == SampleFitness::kNearest ? outcome_.fitness(executions, typical.execution)
+                                                      : median_fitness(executions, typical.first));
               batch.valid[typical.row] = 1;
             });
+}
+
+double SampledEvaluator::median_fitness(const Executions& executions, int first) const {
+  thread_local std::vector<double> values;
+  values.resize(executor_.repeats());
+  for (int s = 0; s < executor_.repeats(); ++s) values[s] = outcome_.fitness(executions, first + s);
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*std::max_element(values.begin(), middle) + *middle) / 2;
 }
 
 void SampledEvaluator::visit(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
@@ -81,7 +93,7 @@ void SampledEvaluator::visit_block(const Rows& genomes, const std::int32_t* leng
     const auto first = static_cast<int>(i - begin) * repeats;
     outcome_.describe(executions, first, repeats, coordinates);
     const Median<D> median = geometric_median<D>(samples);
-    visit(executions, Typical{i, first + median.nearest, median.point.data(), median.mean_distance});
+    visit(executions, Typical{i, first, first + median.nearest, median.point.data(), median.mean_distance});
   }
 }
 

@@ -1,7 +1,7 @@
 // The evaluator of every layer that is built on another: its genomes are executed by the layer below, and
 // described by what comes of it. Where an outcome depends on where the pen was, the descriptor is stochastic:
-// the geometric median of some executions, and the fitness is that of the execution nearest to it (paper,
-// section 3.1).
+// the geometric median of some executions, and the fitness is that of the median individual (paper, section
+// 3.1).
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ class SingleEvaluator final : public Evaluator {
   // Both have to outlive the evaluator; the executor repeats nothing.
   SingleEvaluator(const Executor& executor, const Outcome& outcome);
   int descriptor_size() const override { return outcome_.descriptor_size(); }
-  bool deterministic() const override { return executor_.decoder().places(); }
+  bool deterministic() const override { return executor_.repeatable(); }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
 
  private:
@@ -26,21 +26,28 @@ class SingleEvaluator final : public Evaluator {
   const Outcome& outcome_;
 };
 
+// What the fitness of the median individual is: that of the execution nearest to the median descriptor, or
+// the median of all executions' fitness.
+enum class SampleFitness { kNearest, kMedian };
+
 class SampledEvaluator final : public Evaluator {
  public:
   // Dimensions that a stochastic descriptor may have.
   static constexpr int kMaxDimensions = 4;
 
   // Both have to outlive the evaluator; the executor repeats as often as there are to be samples.
-  SampledEvaluator(const Executor& executor, const SampledOutcome& outcome);
+  SampledEvaluator(const Executor& executor, const SampledOutcome& outcome,
+                   SampleFitness fitness = SampleFitness::kNearest);
   int descriptor_size() const override { return outcome_.descriptor_size(); }
   bool stochastic() const override { return true; }
+  bool deterministic() const override { return executor_.repeatable(); }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
 
   // What is typical of a genome: the median of its executions, and the execution nearest to it.
   struct Typical {
     Eigen::Index row;
-    int execution;
+    int first;                // of its executions
+    int execution;            // the nearest
     const float* descriptor;  // [descriptor_size]
     float uncertainty;        // mean distance of the executions to it
   };
@@ -52,6 +59,7 @@ class SampledEvaluator final : public Evaluator {
   void mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed, float* out) const;
 
  private:
+  double median_fitness(const Executions& executions, int first) const;
   // Genomes whose executions fit into the nearest cache together.
   Eigen::Index block() const { return std::max(1, 512 / executor_.repeats()); }
   template <class Visit>
@@ -63,6 +71,7 @@ class SampledEvaluator final : public Evaluator {
 
   const Executor& executor_;
   const SampledOutcome& outcome_;
+  SampleFitness fitness_;
 };
 
 }  // namespace hbr

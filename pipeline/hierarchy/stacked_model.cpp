@@ -15,11 +15,11 @@ class StackedModel final : public LayerModel {
   StackedModel(const Stack& below, StackedParts parts)
       : parts_(std::move(parts)),
         below_(below.top()),
-        executor_(below.points(), below_, *parts_.decoder, parts_.samples, parts_.way) {
+        executor_(below.points(), below_, *parts_.decoder, parts_.samples, parts_.way, parts_.starts) {
     if (parts_.outcome)
       evaluator_ = std::make_unique<SingleEvaluator>(executor_, *parts_.outcome);
     else if (parts_.sampled)
-      evaluator_ = std::make_unique<SampledEvaluator>(executor_, *parts_.sampled);
+      evaluator_ = std::make_unique<SampledEvaluator>(executor_, *parts_.sampled, parts_.sample_fitness);
     HBR_CHECK(!outcome() || outcome()->descriptor_size() == static_cast<int>(parts_.descriptor.size()),
               "{} coordinates of the descriptor are told; expected {}", parts_.descriptor.size(),
               outcome()->descriptor_size());

@@ -17,6 +17,8 @@ struct StackedParts {
   std::unique_ptr<Outcome> outcome;
   std::unique_ptr<SampledOutcome> sampled;
   int samples = 1;
+  SampleFitness sample_fitness = SampleFitness::kNearest;
+  Starts starts = {};
   Way way = {};
   // How far beyond its elites the commands of layers above are looked up fast, in units of its descriptor.
   float slack = 0.01f;

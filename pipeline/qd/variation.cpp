@@ -10,9 +10,17 @@ void sample_genes(float* genes, int n, Rng& rng) {
   for (int i = 0; i < n; ++i) genes[i] = rng.uniform();
 }
 
-void mutate_genes(const float* parent, int n, float eta, float rate, float* child, Rng& rng) {
-  for (int i = 0; i < n; ++i)
-    child[i] = rng.uniform() < rate ? polynomial_step(parent[i], eta, rng.uniform()) : parent[i];
+void mutate_genes(const float* parent, int n, const Mutation& mutation, float* child, Rng& rng) {
+  const bool every = mutation.genes == MutatedGenes::kEvery;
+  bool any = false;
+  for (int i = 0; i < n; ++i) {
+    const bool mutates = every || rng.uniform() < mutation.rate;
+    child[i] = mutates ? polynomial_step(parent[i], mutation.eta, rng.uniform()) : parent[i];
+    any = any || mutates;
+  }
+  if (any || mutation.genes != MutatedGenes::kAtLeastOne) return;
+  const auto one = rng.below(static_cast<std::uint32_t>(n));
+  child[one] = polynomial_step(parent[one], mutation.eta, rng.uniform());
 }
 
 }  // namespace
@@ -30,7 +38,7 @@ int PolynomialMutation::sample(float* genome, Rng& rng) const {
 }
 
 int PolynomialMutation::vary(const float* parent, int length, float* child, Rng& rng) const {
-  mutate_genes(parent, length, eta_, rate_, child, rng);
+  mutate_genes(parent, length, mutation_, child, rng);
   return length;
 }
 
@@ -41,7 +49,7 @@ int BlockMutation::sample(float* genome, Rng& rng) const {
 }
 
 int BlockMutation::vary(const float* parent, int length, float* child, Rng& rng) const {
-  mutate_genes(parent, length, eta_, rate_, child, rng);
+  mutate_genes(parent, length, mutation_, child, rng);
   if (rng.uniform() >= length_rate_) return length;
   const int blocks = (length - head_) / block_;
   if (rng.uniform() < 0.5f) {

@@ -15,15 +15,24 @@ class Variation {
   virtual int vary(const float* parent, int length, float* child, Rng& rng) const = 0;
 };
 
+// Which genes of a child mutate: each with a probability; the same, and one drawn at random where none did;
+// or every one.
+enum class MutatedGenes { kEach, kAtLeastOne, kEvery };
+struct Mutation {
+  float eta = 0;
+  float rate = 0;  // the probability; kEvery has no use for it
+  MutatedGenes genes = MutatedGenes::kEach;
+};
+
 // One gene's polynomial mutation (Deb and Goyal 1996): the distance has density (eta + 1)/2 (1 - |delta|)^eta
 // on
 // [-1, 1], the gene's whole range; the result is clipped to [0, 1].
 float polynomial_step(float gene, float eta, float uniform);
 
-// Genomes of a fixed length; each gene mutates with probability `rate`.
+// Genomes of a fixed length.
 class PolynomialMutation final : public Variation {
  public:
-  PolynomialMutation(int genes, float eta, float rate) : genes_(genes), eta_(eta), rate_(rate) {}
+  PolynomialMutation(int genes, Mutation mutation) : genes_(genes), mutation_(mutation) {}
   int genes() const override { return genes_; }
   bool fixed_length() const override { return true; }
   int sample(float* genome, Rng& rng) const override;
@@ -31,7 +40,7 @@ class PolynomialMutation final : public Variation {
 
  private:
   int genes_;
-  float eta_, rate_;
+  Mutation mutation_;
 };
 
 // A head of `head` genes, then one to `most_blocks` blocks of `block` genes (paper, section 4.3: the digits'
@@ -39,12 +48,11 @@ class PolynomialMutation final : public Variation {
 // a random place, each as likely; nothing happens where the number of blocks allows no such step.
 class BlockMutation final : public Variation {
  public:
-  BlockMutation(int head, int block, int most_blocks, float eta, float rate, float length_rate)
+  BlockMutation(int head, int block, int most_blocks, Mutation mutation, float length_rate)
       : head_(head),
         block_(block),
         most_blocks_(most_blocks),
-        eta_(eta),
-        rate_(rate),
+        mutation_(mutation),
         length_rate_(length_rate) {}
   int genes() const override { return head_ + most_blocks_ * block_; }
   bool fixed_length() const override { return false; }
@@ -53,7 +61,8 @@ class BlockMutation final : public Variation {
 
  private:
   int head_, block_, most_blocks_;
-  float eta_, rate_, length_rate_;
+  Mutation mutation_;
+  float length_rate_;
 };
 
 }  // namespace hbr

@@ -9,45 +9,12 @@
 #include "pipeline/statistics/rank_sum.h"
 #include "reports/claims/claim_file.h"
 #include "reports/claims/claim_words.h"
+#include "reports/claims/measured.h"
 
 namespace hbr {
 namespace {
 
 using nlohmann::json;
-
-// Reads statistics.json.
-class Statistics {
- public:
-  explicit Statistics(const json& contents) : json_(contents) {
-    for (const char* section : {"quantities", "numbers"})
-      if (!json_.is_object() || !json_.contains(section) || !json_[section].is_object())
-        throw InputError("statistics: no table '{}'; expected the contents of statistics.json", section);
-  }
-
-  std::optional<Statistic> figure(const std::string& name) const {
-    if (const json& all = json_["quantities"]; all.contains(name)) {
-      const json& q = all[name];
-      return Statistic{q.at("unit"), q.at("median"), q.at("q1"), q.at("q3"), q.at("values")};
-    }
-    if (const json& all = json_["numbers"]; all.contains(name)) {
-      const double value = all[name].at("value");
-      return Statistic{all[name].at("unit"), value, value, value, {}};
-    }
-    return {};
-  }
-
- private:
-  const json& json_;
-};
-
-std::optional<double> computed(const Check& check, const Statistic& of, const Statistic& to) {
-  if (check.kind == "value") return of.median;
-  if (check.kind == "difference") return of.median - to.median;
-  if (check.kind == "ratio" && to.median != 0) return of.median / to.median;
-  if (check.kind == "a12" && !of.values.empty() && !to.values.empty())
-    return rank_sum(of.values, to.values).a12;
-  return {};
-}
 
 bool within(double x, const std::vector<double>& range) { return x >= range[0] && x <= range[1]; }
 
@@ -59,7 +26,7 @@ bool significant(const Check& check, const Measured& m) {
   return *m.p < check.p_below || (floor >= check.p_below && *m.p <= floor * (1 + 1e-12));
 }
 
-Measured measure(const Check& check, const Statistics& statistics) {
+Measured measure(const Check& check, const StatisticsReader& statistics) {
   Measured m;
   const auto of = statistics.figure(check.of), to = statistics.figure(check.to);
   if (!of) m.absent = check.of;
@@ -67,7 +34,7 @@ Measured measure(const Check& check, const Statistics& statistics) {
   if (!m.absent.empty()) return m;
   m.of = *of;
   if (to) m.to = *to;
-  m.x = computed(check, m.of, m.to);
+  m.x = computed(check.kind, m.of, m.to);
   if (!m.of.values.empty() && !m.to.values.empty()) {
     const RankSum test = rank_sum(m.of.values, m.to.values);
     m.p = test.p;
@@ -95,7 +62,8 @@ std::string verdict_of(const std::vector<Measured>& measured) {
   return yes == made ? "reproduced" : no == made ? "not" : "partly";
 }
 
-std::vector<NeedFound> needs_of(const Claim& claim, const ClaimFile& file, const Statistics& statistics) {
+std::vector<NeedFound> needs_of(const Claim& claim, const ClaimFile& file,
+                                const StatisticsReader& statistics) {
   std::vector<NeedFound> found;
   const auto size = std::ranges::find(file.sizes, claim.size, &Size::name);
   if (size == file.sizes.end()) return found;
@@ -138,7 +106,7 @@ json check_json(const Check& check, const Measured& m) {
   return result;
 }
 
-json evaluated(const Claim& claim, const ClaimFile& file, const Statistics& statistics) {
+json evaluated(const Claim& claim, const ClaimFile& file, const StatisticsReader& statistics) {
   std::vector<Measured> measured;
   json checks = json::array(), needs = json::array();
   std::set<std::string> sources;
@@ -178,7 +146,7 @@ json evaluated(const Claim& claim, const ClaimFile& file, const Statistics& stat
 
 json evaluate_claims(const std::filesystem::path& claims, const json& statistics) {
   const ClaimFile file = read_claim_file(claims);
-  const Statistics reader(statistics);
+  const StatisticsReader reader(statistics);
   json result = json::array();
   for (const Claim& claim : file.claims) result.push_back(evaluated(claim, file, reader));
   return result;

@@ -13,6 +13,7 @@
 #include "reports/page/explorer.h"
 #include "reports/page/robots.h"
 #include "reports/page/robots3d.h"
+#include "reports/readings/study_html.h"
 #include "reports/text/html.h"
 #include "reports/text/template.h"
 
@@ -68,6 +69,8 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
       {"claims", claims_table(content.claims)},
       {"sensitivity", sensitivity_html(sensitivity)},
       {"sensitivity_link", content.variations.empty() ? "" : "<a href=\"#sensitivity\">Sensitivity</a> "},
+      {"study", study_html(content.study, content.readings)},
+      {"study_link", content.study.is_null() ? "" : "<a href=\"#readings-study\">Study</a> "},
       {"readings", ledger_html(content.readings)},
       {"speed", speed_html(content.speed)},
       {"provenance", inventory(content)}};
@@ -89,6 +92,7 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
   write_file(folder / "statistics.json", content.statistics.dump(1) + "\n");
   write_file(folder / "claims.json", content.claims.dump(1) + "\n");
   if (!content.speed.is_null()) write_file(folder / "speed.json", content.speed.dump(1) + "\n");
+  if (!content.study.is_null()) write_file(folder / "readings.json", content.study.dump(1) + "\n");
   if (!content.variations.empty()) write_file(folder / "sensitivity.json", sensitivity.dump(1) + "\n");
 }
 

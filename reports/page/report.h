@@ -22,10 +22,12 @@ struct ReportContent {
   std::vector<VariationClaims> variations = {};
   nlohmann::json speed = {};         // as condense_speed leaves it, or null where nobody measured
   std::filesystem::path three = {};  // folder of three.js; empty: robots are shown by pictures alone
+  nlohmann::json study = {};         // readings.json, or null
 };
 
 // Makes `folder` with index.html (self-contained), statistics.json, claims.json, speed.json where there are
-// benchmarks, sensitivity.json where there are variations, and figures/ID.{svg,pdf}, ID_TABLE.csv.
+// benchmarks, sensitivity.json where there are variations, readings.json where
+// readings were studied, and figures/ID.{svg,pdf}, ID_TABLE.csv.
 // The same content gives the same bytes: no time, host or path is written.
 void write_report(const ReportContent& content, const std::filesystem::path& folder);
 

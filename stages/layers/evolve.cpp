@@ -60,9 +60,12 @@ ContainerSettings container_settings(const SearchTable& t, DescriptorRange range
 }
 
 std::unique_ptr<Variation> make_variation(const GenomeShape& genome, const SearchTable& table) {
-  const auto eta = static_cast<float>(table.mutation_eta), rate = static_cast<float>(table.mutation_rate);
-  if (genome.fixed()) return std::make_unique<PolynomialMutation>(genome.genes(), eta, rate);
-  return std::make_unique<BlockMutation>(genome.genes(0), genome.block_genes(), genome.most_blocks, eta, rate,
+  const Mutation mutation = {static_cast<float>(table.mutation_eta), static_cast<float>(table.mutation_rate),
+                             table.mutation == "each"           ? MutatedGenes::kEach
+                             : table.mutation == "at_least_one" ? MutatedGenes::kAtLeastOne
+                                                                : MutatedGenes::kEvery};
+  if (genome.fixed()) return std::make_unique<PolynomialMutation>(genome.genes(), mutation);
+  return std::make_unique<BlockMutation>(genome.genes(0), genome.block_genes(), genome.most_blocks, mutation,
                                          static_cast<float>(genome.length_rate));
 }
 

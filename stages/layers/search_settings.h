@@ -24,6 +24,7 @@ struct SearchTable {
   int cvt_cells = 0;
   std::string selector;
   std::string curiosity_credit;
+  std::string mutation;
   double mutation_rate = 0;
   double mutation_eta = 0;
 };
@@ -48,6 +49,9 @@ void describe_search(Fields& f, SearchTable& s) {
   f.number("cvt_cells", s.cvt_cells, Range{1, 1e6}, "cells of the cvt container");
   f.choice("curiosity_credit", s.curiosity_credit, {"parent", "published"},
            "whom a child counts for: its own parent, or that of some sibling as in the published program");
+  f.choice("mutation", s.mutation, {"each", "at_least_one", "every"},
+           "which genes of a child mutate: each with the probability mutation_rate; so, but one at random "
+           "where none did; or every one, whatever the rate");
   f.number("mutation_rate", s.mutation_rate, Range{0, 1}, "probability that a gene mutates");
   f.number("mutation_eta", s.mutation_eta, Range{0, 1000}, "eta_m of the polynomial mutation");
 }

@@ -8,29 +8,37 @@
 #include "pipeline/core/check.h"
 #include "stages/plan/old_keys.h"
 #include "stages/plan/plan.h"
+#include "stages/plan/readings.h"
 
 namespace hbr {
 namespace {
 
-// The profile with a variation's changes, to be read as strictly as the profile itself.
-SettingsSource varied(const SettingsSource& source, std::size_t index, const ProfileVariation& variation) {
-  const SettingsSource changes = part_of(source, fmt::format("/variations/{}/set", index));
-  for (const char* key : {"name", "variations"})
-    if (changes.values.contains(key)) {
-      const SettingsSource::Position at = changes.keys.at(std::string("/") + key);
-      throw InputError("{}:{}:{}: variation '{}' can't change '{}'; expected a key that a stage depends on",
-                       at.file, at.line, at.column, variation.name, key);
-    }
-  refuse_old_keys(changes);
-  SettingsSource profile = laid_over(source, changes);
-  profile.values["name"] = profile.values["name"].get<std::string>() + "/" + variation.name;
+// The profile with some of its own tables of changes laid over it, to be read as strictly as itself.
+SettingsSource varied(const SettingsSource& source, const std::vector<std::string>& pointers,
+                      const std::string& name) {
+  SettingsSource profile = source;
+  for (const std::string& pointer : pointers) {
+    const SettingsSource changes = part_of(source, pointer);
+    for (const char* key : {"name", "variations", "readings"})
+      if (changes.values.contains(key)) {
+        const SettingsSource::Position at = changes.keys.at(std::string("/") + key);
+        throw InputError("{}:{}:{}: variation '{}' can't change '{}'; expected a key that a stage depends on",
+                         at.file, at.line, at.column, name, key);
+      }
+    refuse_old_keys(changes);
+    profile = laid_over(profile, changes);
+  }
+  profile.values["name"] = profile.values["name"].get<std::string>() + "/" + name;
   profile.values["variations"] = nlohmann::json::array();
+  profile.values["readings"] = {{"combinations", 0}, {"options", nlohmann::json::array()}};
   return profile;
 }
 
 // A variation's name is a make goal and a folder beside those of the stages.
-void check_variations(const std::string& file, const Profile& profile, const Graph& graph) {
-  std::set<std::string> taken{"all", "page", "report"};
+void check_variations(const std::string& file, const Profile& profile, const Graph& graph,
+                      const std::vector<Combination>& combinations) {
+  std::set<std::string> taken{"all", "page", "report", "readings"};
+  for (const Combination& combination : combinations) taken.insert(combination.name);
   for (const Node& node : graph) taken.insert({node.stage, node.stage.substr(0, node.stage.find('_'))});
   for (const ProfileVariation& v : profile.variations) {
     check_name(file, "variations", v.name);
@@ -106,16 +114,42 @@ Graph experiment_graph(const std::filesystem::path& file) {
   refuse_old_keys(source);
   const auto profile = settings_from_source<Profile>(source);
   Graph graph = planned(source, file.string(), false);
-  check_variations(file.string(), profile, graph);
+  const std::vector<Combination> combinations = combinations_of(file.string(), profile.readings);
+  check_variations(file.string(), profile, graph, combinations);
+  const auto add = [&](Graph& to, const std::string& name, const std::vector<std::string>& changes) {
+    const std::string where = fmt::format("{}: variation '{}'", file.string(), name);
+    add_variation(to, name, planned(varied(source, changes, name), where, true));
+  };
+  const auto refuse_unchanged = [&](const std::string& what, std::size_t before, std::size_t after) {
+    if (after - before < 2)  // the statistics are always its own
+      throw InputError("{}: {} changes nothing that this profile runs; expected keys that a stage depends on",
+                       file.string(), what);
+  };
+  const Graph plain = graph;
   for (std::size_t i = 0; i < profile.variations.size(); ++i) {
-    const ProfileVariation& v = profile.variations[i];
-    const std::string where = fmt::format("{}: variation '{}'", file.string(), v.name);
     const std::size_t before = graph.size();
-    add_variation(graph, v.name, planned(varied(source, i, v), where, true));
-    if (graph.size() - before < 2)  // the statistics are always its own
-      throw InputError("{} changes nothing that this profile runs; expected keys that a stage depends on",
-                       where);
+    add(graph, profile.variations[i].name, {fmt::format("/variations/{}/set", i)});
+    refuse_unchanged("variation '" + profile.variations[i].name + "'", before, graph.size());
   }
+  const auto set_of = [](std::size_t option, int value) {
+    return fmt::format("/readings/options/{}/values/{}/set", option, value);
+  };
+  for (const Combination& combination : combinations) {
+    std::vector<std::string> changes;
+    for (std::size_t i = 0; i < combination.levels.size(); ++i)
+      if (combination.levels[i] > 0) changes.push_back(set_of(i, combination.levels[i]));
+    if (!changes.empty()) add(graph, combination.name, changes);
+  }
+  for (std::size_t i = 0; i < profile.readings.options.size(); ++i) {
+    const StudiedOption& option = profile.readings.options[i];
+    for (std::size_t v = 1; v < option.values.size(); ++v) {
+      Graph alone = plain;
+      add(alone, "alone", {set_of(i, static_cast<int>(v))});
+      refuse_unchanged(fmt::format("readings.options '{}': the value '{}'", option.id, option.values[v].name),
+                       plain.size(), alone.size());
+    }
+  }
+  if (!combinations.empty()) graph.push_back(readings_stage(profile.readings, combinations));
   graph.push_back(report_of(profile, layer_rows(source), graph));
   return graph;
 }

@@ -138,6 +138,36 @@ void describe(Fields& f, ProfileVariation& s) {
   f.raw_table("set", s.set, "the keys of the profile that it changes, in their tables");
 }
 
+// Readings of what the paper leaves open, taken together.
+struct OptionValue {
+  std::string name;
+  nlohmann::json set;
+};
+template <class Fields>
+void describe(Fields& f, OptionValue& s) {
+  f.text("name", s.name, "as the report calls it");
+  f.raw_table("set", s.set, "the keys of the profile that it changes, in their tables; of the first none");
+}
+struct StudiedOption {
+  std::string id;
+  std::vector<OptionValue> values;
+};
+template <class Fields>
+void describe(Fields& f, StudiedOption& s) {
+  f.text("id", s.id, "of a reading in reports/readings.toml");
+  f.tables("values", s.values, "the first is the profile's own");
+}
+struct ReadingsTable {
+  int combinations = 0;
+  std::vector<StudiedOption> options;
+};
+template <class Fields>
+void describe(Fields& f, ReadingsTable& s) {
+  f.number("combinations", s.combinations, Range{0, 1e4},
+           "of the readings' values that are run: a balanced choice of all; 0: all");
+  f.tables("options", s.options, "readings that are combined");
+}
+
 struct RobotPictureTable {
   int height = 0;
 };
@@ -175,6 +205,7 @@ struct Profile {
   TuningTable tuning;
   std::vector<RobotSettings> robots;
   std::vector<ProfileVariation> variations;
+  ReadingsTable readings;
 };
 template <class Fields>
 void describe(Fields& f, Profile& s) {
@@ -206,6 +237,7 @@ void describe(Fields& f, Profile& s) {
   f.table("tuning", s.tuning, "of the arm's layers to the robots below");
   f.tables("robots", s.robots, "robots that the hierarchy is transferred to");
   f.tables("variations", s.variations, "other readings, run beside this one");
+  f.table("readings", s.readings, "other readings, taken together");
 }
 
 }  // namespace hbr

@@ -2,6 +2,7 @@
 // below OUT; the settings say where the claims and the readings are written down.
 #include "reports/page/report.h"
 
+#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/statistics/statistics_file.h"
 #include "reports/claims/claims.h"
@@ -52,8 +53,12 @@ void run(StageRun& stage) {
   const auto settings = stage.settings_as<ReportSettings>();
   const nlohmann::json statistics = read_statistics(stage.input("statistics.json"));
   std::map<std::string, std::filesystem::path> artifacts;
+  nlohmann::json study;
   for (const std::string& name : stage.inputs())
-    if (!name.ends_with("statistics.json")) artifacts[name] = stage.input(name);
+    if (name == "readings.json")
+      study = read_json(stage.input(name));
+    else if (!name.ends_with("statistics.json"))
+      artifacts[name] = stage.input(name);
   std::vector<VariationClaims> variations;
   for (const VariationName& v : settings.variations) {
     const nlohmann::json own = read_statistics(stage.input(v.name + "/statistics.json"));
@@ -61,7 +66,7 @@ void run(StageRun& stage) {
   }
   write_report({statistics.at("profile"), settings.layers, settings.robots, Artifacts(artifacts), statistics,
                 evaluate_claims(settings.claims, statistics), read_readings(settings.readings),
-                std::move(variations), read_speed(settings.speed), settings.three},
+                std::move(variations), read_speed(settings.speed), settings.three, study},
                stage.output());
 }
 

@@ -20,7 +20,7 @@ void describe(Fields& f, SubstitutionSlice& s) {
 // M1, M2, M3 of an execution, larger is better.
 std::array<float, 3> metrics(const ArcOutcome& arcs, const Executions& executions, int execution) {
   const JointCost& few = named(joint_costs(), "few_joints", "cost");
-  return {static_cast<float>(-ArcOutcome::irregularity_of(executions, execution)),
+  return {static_cast<float>(-arcs.irregularity_of(executions, execution)),
           static_cast<float>(-arcs.joint_cost(executions, execution)),
           static_cast<float>(-ArcOutcome::mean_joint_cost(executions, execution, few))};
 }

@@ -130,7 +130,7 @@ Elites run(Signature& signature, const DistanceArchiveSettings& archive, const L
            std::int64_t generations) {
   const GenomeShape shape = model.genome();
   if (shape.fixed()) return signature.run(archive, mutation(shape.genes()), model.evaluator(), generations);
-  const BlockMutation blocks(shape.genes(0), shape.block_genes(), shape.most_blocks, 10, 0.1f,
+  const BlockMutation blocks(shape.genes(0), shape.block_genes(), shape.most_blocks, {10, 0.1f},
                              static_cast<float>(shape.length_rate));
   return signature.run(archive, blocks, model.evaluator(), generations);
 }

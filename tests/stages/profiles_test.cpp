@@ -260,15 +260,16 @@ TEST_F(Variations, AreTheChangedProfileWithoutWhatItShares) {
 }
 
 TEST_F(Variations, AllStandInTheReport) {
-  const auto nodes = by_output(graph(variation("short", "set.defaults.longest_line = 0.1535") +
-                                     variation("all_genes", "[variations.set.defaults]\nmutation_rate = 1")));
+  const auto nodes =
+      by_output(graph(variation("short", "set.defaults.longest_line = 0.1535") +
+                      variation("all_genes", "[variations.set.defaults]\nmutation = \"every\"")));
   const Node& page = nodes.at("page");
   const std::map<std::string, std::string> inputs(page.inputs.begin(), page.inputs.end());
   EXPECT_TRUE(inputs.contains("short/statistics.json"));
   EXPECT_TRUE(inputs.contains("all_genes/statistics.json"));
   EXPECT_FALSE(inputs.contains("short/layer2_n10/00.h5"));
   EXPECT_EQ(page.settings["variations"][1]["name"], "all_genes");
-  EXPECT_EQ(nodes.at("all_genes/layer1/00.h5").settings["search"]["mutation_rate"], 1.0);
+  EXPECT_EQ(nodes.at("all_genes/layer1/00.h5").settings["search"]["mutation"], "every");
 }
 
 TEST_F(Variations, AreReadAsStrictlyAsTheProfile) {

@@ -34,7 +34,7 @@ struct NaiveParts {
   using Roulette = NaiveRoulette;
 };
 
-inline PolynomialMutation mutation(int genes) { return {genes, 10, 0.1f}; }
+inline PolynomialMutation mutation(int genes) { return {genes, {10, 0.1f}}; }
 
 // One thread.
 template <class Parts>

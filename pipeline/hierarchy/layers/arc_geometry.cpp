@@ -93,7 +93,7 @@ ArcShape arc_shape(std::span<const Eigen::Vector2d> points, ArcCentre centre) {
   return {{p.x, p.y}, p.length};
 }
 
-double irregularity(std::span<const Eigen::Vector2d> points) {
+double irregularity(std::span<const Eigen::Vector2d> points, Turns turns) {
   const std::size_t segments = points.size() - 1;
   HBR_CHECK(segments >= 2 && segments <= kArcSegments, "{} segments", segments);
   std::array<double, kArcSegments> length, heading;
@@ -101,8 +101,11 @@ double irregularity(std::span<const Eigen::Vector2d> points) {
   for (std::size_t i = 0; i < segments; ++i) {
     const Eigen::Vector2d v = points[i + 1] - points[i];
     length[i] = v.norm();
-    heading[i] = std::atan2(v.y(), v.x());
-    if (i > 0) turn[i - 1] = wrapped(heading[i] - heading[i - 1]);
+    heading[i] =
+        turns.still_keeps_heading && length[i] == 0 && i > 0 ? heading[i - 1] : std::atan2(v.y(), v.x());
+    if (i == 0) continue;
+    const double by = wrapped(heading[i] - heading[i - 1]);
+    turn[i - 1] = turns.without_sense ? std::abs(by) : by;
   }
   return 100 * variance({length.data(), segments}) + variance({turn.data(), segments - 1});
 }

@@ -33,8 +33,16 @@ struct ArcShape {
 };
 ArcShape arc_shape(std::span<const Eigen::Vector2d> points, ArcCentre centre = ArcCentre::kCircle);
 
+// What the turn between two segments is.
+struct Turns {
+  bool without_sense = false;  // its magnitude: left and right are the same
+  // A segment of no length has the heading of the one before it, and so no turn leads to it; otherwise that
+  // of the x-axis.
+  bool still_keeps_heading = false;
+};
+
 // 100 var |V_i| + var b_i, b_i the wrapped turn between successive segments; m^2, rad^2. 3 to 6 points.
-double irregularity(std::span<const Eigen::Vector2d> points);
+double irregularity(std::span<const Eigen::Vector2d> points, Turns turns = {});
 
 // Descriptor (C, Lambda) in [0, 1]^3. A centre farther than L is brought back along its direction to L; a
 // length beyond the longest arc counts as the longest.

@@ -57,12 +57,14 @@ std::span<const ArcController> arc_controllers() {
 
 ArcReading arc_reading(const ArcReadingSettings& settings) {
   return {settings.centre == "centroid" ? ArcCentre::kCentroid : ArcCentre::kCircle,
-          settings.joint_term == "pooled" ? JointTerm::kPooled : JointTerm::kMean};
+          settings.joint_term == "pooled" ? JointTerm::kPooled : JointTerm::kMean,
+          {settings.turns == "unsigned", settings.still_heading == "kept"}};
 }
 
 FitnessMeaning arc_fitness(const ArcReading& reading) {
   return {std::string("minus the sum of 100 times the variance of the lines' lengths (m^2), the variance of "
-                      "the turns between them (rad^2) and ") +
+                      "the turns between them (rad^2") +
+              (reading.turns.without_sense ? ", without their sense" : "") + ") and " +
               (reading.joint_term == JointTerm::kMean
                    ? "the mean over the way-points of the variance of their joints (rad^2)"
                    : "the variance of all joints of all way-points (rad^2)"),
@@ -93,11 +95,11 @@ void ArcOutcome::describe(const Executions& executions, int first, int n, float*
   arc_descriptors(frame_, reading_.centre, tracks, n, descriptor);
 }
 
-double ArcOutcome::irregularity_of(const Executions& executions, int execution) {
+double ArcOutcome::irregularity_of(const Executions& executions, int execution) const {
   ArcPoints positions;
   for (int k = 0; k <= kArcSegments; ++k)
     positions[k] = executions.points().position(executions.stop(k)[execution]);
-  return irregularity(positions);
+  return irregularity(positions, reading_.turns);
 }
 
 double ArcOutcome::joint_cost(const Executions& executions, int execution) const {
@@ -142,6 +144,9 @@ std::unique_ptr<LayerModel> make_arcs(const ArcsSettings& settings, const Surrou
   arcs.decoder = std::make_unique<ArcDecoder>(arcs.frame, controller);
   arcs.sampled = std::make_unique<ArcOutcome>(arcs.frame, arc_reading(settings));
   arcs.samples = settings.samples;
+  arcs.sample_fitness = sample_fitness_of(settings.sample_fitness);
+  arcs.starts = settings.start.of(around.robot);
+  arcs.way.points = way_points_of(settings.way_points);
   return stacked_model(around, std::move(arcs));
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pipeline/hierarchy/drawing_settings.h"
+#include "pipeline/hierarchy/execution_settings.h"
 #include "pipeline/hierarchy/joints.h"
 #include "pipeline/hierarchy/layers/arc_geometry.h"
 #include "pipeline/hierarchy/stacked_model.h"
@@ -27,23 +28,32 @@ std::span<const ArcController> arc_controllers();
 struct ArcReadingSettings {
   std::string centre;
   std::string joint_term;
+  std::string turns = {}, still_heading = {};
 };
 template <class Fields>
 void describe_arc_reading(Fields& f, ArcReadingSettings& s) {
   f.choice("centre", s.centre, {"circle", "centroid"}, "C: of the fitted circle, or the mean of the points");
   f.choice("joint_term", s.joint_term, {"mean", "pooled"},
            "J: mean of the way-points' joint variances, or the variance of all their joints together");
+  f.choice("turns", s.turns, {"signed", "unsigned"}, "b: with the sense of the turns, or without");
+  f.choice("still_heading", s.still_heading, {"zero", "kept"},
+           "of a segment of no length: along the x-axis, or as the segment before");
 }
 
 struct ArcsSettings : ArcReadingSettings {
   std::string controller;
   int samples = 0;
+  std::string sample_fitness = {}, way_points = {};
+  StartSettings start = {};
 };
 template <class Fields>
 void describe(Fields& f, ArcsSettings& s) {
   f.choice("controller", s.controller, names_of(arc_controllers()), meanings_of(arc_controllers()).c_str());
   describe_arc_reading(f, s);
   describe_samples(f, s.samples);
+  describe_sample_fitness(f, s.sample_fitness);
+  describe_way_points(f, s.way_points);
+  describe_starts(f, s.start);
 }
 
 // How J, the joints' part of the fitness, is taken over the five way-points after the start: the mean of
@@ -52,6 +62,7 @@ enum class JointTerm { kMean, kPooled };
 struct ArcReading {
   ArcCentre centre = ArcCentre::kCircle;
   JointTerm joint_term = JointTerm::kMean;
+  Turns turns = {};
 };
 ArcReading arc_reading(const ArcReadingSettings& settings);
 FitnessMeaning arc_fitness(const ArcReading& reading);
@@ -78,7 +89,7 @@ class ArcOutcome final : public SampledOutcome {
 
   ArcCentre centre() const { return reading_.centre; }
   // The terms of the fitness, positive: the first two, and J.
-  static double irregularity_of(const Executions& executions, int execution);
+  double irregularity_of(const Executions& executions, int execution) const;
   double joint_cost(const Executions& executions, int execution) const;
   // Mean over the five way-points after the start of a cost of the elites' joints, rad^2.
   static double mean_joint_cost(const Executions& executions, int execution, const JointCost& cost);

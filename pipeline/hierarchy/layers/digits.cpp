@@ -45,7 +45,7 @@ std::unique_ptr<LayerModel> make_digits(const DigitsSettings& settings, const Su
   digits.genome = {head, arc_coordinates(digits.frame), DigitDecoder::kMaxArcs, settings.length_rate};
   digits.fitness = image_fitness();
   digits.decoder = std::make_unique<DigitDecoder>(digits.frame, out_of_range(settings.out_of_range));
-  digits.way = {true, settings.line_spacing};
+  digits.way = {true, settings.line_spacing, way_points_of(settings.way_points)};
   if (around.descriptor) {
     digits.descriptor = latent_coordinates(*around.descriptor);
     digits.outcome = std::make_unique<ImageOutcome>(*around.descriptor, settings.pencil, digits.way);

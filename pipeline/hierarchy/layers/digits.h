@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "pipeline/hierarchy/drawing_settings.h"
+#include "pipeline/hierarchy/execution_settings.h"
 #include "pipeline/hierarchy/stacked_model.h"
 
 namespace hbr {
@@ -14,11 +15,13 @@ struct DigitsSettings {
   std::string out_of_range;
   double length_rate = 0;
   PencilSettings pencil;
+  std::string way_points = {};
 };
 template <class Fields>
 void describe(Fields& f, DigitsSettings& s) {
   f.number("line_spacing", s.line_spacing, Range{0, 10},
            "distance between the points of a line at which layer 1 is asked, m; 0: at its end alone");
+  describe_way_points(f, s.way_points);
   f.choice(
       "out_of_range", s.out_of_range, {"radius", "axes", "reject"},
       "of a triplet whose centre is farther than L: brought back along its direction, its coordinates one "

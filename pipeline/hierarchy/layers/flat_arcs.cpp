@@ -39,7 +39,7 @@ void FlatArcEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index e
         std::span<const Eigen::Vector2d>(stops).subspan(start_ == FlatStart::kFirst ? 1 : 0);
     batch.descriptor.row(begin + i) =
         arc_descriptor(frame_, arc_shape(drawn, reading_.centre)).cast<float>().transpose();
-    batch.fitness[begin + i] = static_cast<float>(-(irregularity(drawn) + cost));
+    batch.fitness[begin + i] = static_cast<float>(-(irregularity(drawn, reading_.turns) + cost));
     batch.valid[begin + i] = 1;
   }
 }

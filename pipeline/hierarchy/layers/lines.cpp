@@ -51,6 +51,7 @@ StackedParts parts(const LinesFromStartSettings& settings, const Surroundings& a
   parts.fitness = {"0 for every line", ""};
   parts.frame.line_range = settings.line_range == "square" ? LineRange::kSquare : LineRange::kDisc;
   parts.decoder = std::make_unique<LineDecoder>(parts.frame);
+  parts.starts = settings.start.of(around.robot);
   parts.slack = 0.25f;  // corners of the square that commands may come from
   return parts;
 }

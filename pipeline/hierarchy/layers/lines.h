@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pipeline/hierarchy/drawing_settings.h"
+#include "pipeline/hierarchy/execution_settings.h"
 #include "pipeline/hierarchy/stacked_model.h"
 
 namespace hbr {
@@ -11,11 +12,13 @@ namespace hbr {
 struct LinesFromStartSettings {
   double longest_line = 0;
   std::string line_range;
+  StartSettings start = {};
 };
 template <class Fields>
 void describe(Fields& f, LinesFromStartSettings& s) {
   describe_longest_line(f, s.longest_line);
   f.choice("line_range", s.line_range, {"disc", "square"}, "of radius rho, or of side 2 rho");
+  describe_starts(f, s.start);
 }
 struct LinesSettings : LinesFromStartSettings {
   int samples = 0;

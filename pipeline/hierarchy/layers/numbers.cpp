@@ -108,7 +108,7 @@ std::unique_ptr<LayerModel> make_numbers(const NumbersSettings& settings, const 
                          "the drawing area's side)",
                      ""};
   numbers.decoder = std::move(decoder);
-  numbers.way = {true, settings.line_spacing};
+  numbers.way = {true, settings.line_spacing, way_points_of(settings.way_points)};
   if (around.descriptor) {
     numbers.descriptor = of_each_digit(settings.digits, latent_coordinates(*around.descriptor));
     numbers.outcome = std::make_unique<NumberOutcome>(*around.descriptor, settings, numbers.way);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "pipeline/hierarchy/drawing_settings.h"
+#include "pipeline/hierarchy/execution_settings.h"
 #include "pipeline/hierarchy/stacked_model.h"
 
 namespace hbr {
@@ -12,12 +13,14 @@ struct NumbersSettings {
   int digits = 0;
   double line_spacing = 0;
   PencilSettings pencil;
+  std::string way_points = {};
 };
 template <class Fields>
 void describe(Fields& f, NumbersSettings& s) {
   f.number("digits", s.digits, Range{2, 3}, "of a number");
   f.number("line_spacing", s.line_spacing, Range{0, 10},
            "distance between the points of a line at which layer 1 is asked, m; 0: at its end alone");
+  describe_way_points(f, s.way_points);
   f.table("pencil", s.pencil, "from trace to image");
 }
 

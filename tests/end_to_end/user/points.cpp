@@ -11,7 +11,7 @@ int main() {
   const hbr::PlanarArm arm({0.3, 0.2, 0.1}, 3);
   auto points = hbr::make_points({0.6, "joint_variance"}, {arm});
   const auto archive = hbr::make_distance_archive(3, 2, {0.05f, 0.1f, 15, 0, 1});
-  const hbr::PolynomialMutation mutation(3, 10, 0.1f);
+  const hbr::PolynomialMutation mutation(3, {10, 0.1f});
   hbr::CuriositySelector selector;
   hbr::Search search(*archive, selector, mutation, points->evaluator(), {200, 100, 50}, hbr::Seed(1));
   hbr::Workers workers(2);

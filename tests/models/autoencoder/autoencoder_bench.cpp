@@ -63,7 +63,7 @@ void Peak(benchmark::State& state) {
 BENCHMARK(Peak)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 net::Network network() {
-  net::Network n(2, 0.1f);
+  net::Network n(2, {0.1f});
   n.initialise(Seed(1), -2.f);
   return n;
 }
@@ -130,7 +130,7 @@ void DescribeByPlainLoops(benchmark::State& state) {
   const auto image = as_floats(stroke_images(1, Seed(1)));
   const reference::Maps maps(image.begin(), image.end());
   for (auto _ : state)
-    benchmark::DoNotOptimize(reference::describe(net.layout, net.leak, parameters.data(), maps).error);
+    benchmark::DoNotOptimize(reference::describe(net.layout, net.activations, parameters.data(), maps).error);
   report(state, static_cast<double>(state.iterations()), kForward);
 }
 BENCHMARK(DescribeByPlainLoops)->Unit(benchmark::kMillisecond);

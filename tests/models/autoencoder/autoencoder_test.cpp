@@ -14,8 +14,8 @@
 namespace hbr {
 namespace {
 
-Autoencoder untrained(int latent) {
-  net::Network network(latent, 0.1f);
+Autoencoder untrained(int latent, net::Activations activations = {0.1f}) {
+  net::Network network(latent, activations);
   network.initialise(Seed(3), -2.f);
   return Autoencoder(std::move(network));
 }
@@ -74,8 +74,9 @@ TEST(Autoencoder, RangeIsTheHyperbolicTangents) {
 }
 
 TEST(AutoencoderFile, RoundTrip) {
-  for (int latent : {1, 2, 8}) {
-    const Autoencoder written = untrained(latent);
+  for (const auto& [latent, activations] : std::vector<std::pair<int, net::Activations>>{
+           {1, {0.1f}}, {2, {.tanh_hidden = true}}, {8, {0.f, false, true}}}) {
+    const Autoencoder written = untrained(latent, activations);
     const auto path = temporary("autoencoder_round_trip.h5");
     Hdf5Writer file(path);
     write_autoencoder(file, written);
@@ -83,7 +84,7 @@ TEST(AutoencoderFile, RoundTrip) {
     const Autoencoder read = load_autoencoder(path);
     EXPECT_EQ(read.network().parameters, written.network().parameters);
     EXPECT_EQ(read.network().deconv2_spectra, written.network().deconv2_spectra);
-    EXPECT_EQ(read.network().leak, written.network().leak);
+    EXPECT_EQ(read.network().activations, activations);
   }
 }
 
@@ -97,7 +98,7 @@ TEST(AutoencoderFile, RefusesOtherShapesAndNumbers) {
       return std::string(e.what());
     }
   };
-  net::Network network(2, 0.1f);
+  net::Network network(2, {0.1f});
   network.parameters[static_cast<std::size_t>(network.layer(net::kDense2).kernel)] =
       std::numeric_limits<float>::quiet_NaN();
   {
@@ -110,6 +111,8 @@ TEST(AutoencoderFile, RefusesOtherShapesAndNumbers) {
     Hdf5Writer file(path);
     file.attribute("latent_size", std::int64_t{2});
     file.attribute("leak", 0.1);
+    file.attribute("hidden", std::string("leaky"));
+    file.attribute("output", std::string("sigmoid"));
     const std::vector<float> kernel(648, 0.f);
     file.write("weights/encoder_conv1/kernel", {9, 9, 8, 1}, kernel.data());
     file.close();
@@ -117,8 +120,18 @@ TEST(AutoencoderFile, RefusesOtherShapesAndNumbers) {
   EXPECT_THAT(message(), testing::HasSubstr("expected the shape 9 x 9 x 1 x 8, found 9 x 9 x 8 x 1"));
   {
     Hdf5Writer file(path);
+    file.attribute("latent_size", std::int64_t{2});
+    file.attribute("leak", 0.1);
+    file.attribute("hidden", std::string("relu"));
+    file.close();
+  }
+  EXPECT_THAT(message(), testing::HasSubstr("attribute hidden is 'relu', expected 'leaky' or 'tanh'"));
+  {
+    Hdf5Writer file(path);
     file.attribute("latent_size", std::int64_t{2000000000});
     file.attribute("leak", 0.1);
+    file.attribute("hidden", std::string("leaky"));
+    file.attribute("output", std::string("sigmoid"));
     file.close();
   }
   EXPECT_THAT(message(), testing::HasSubstr("latent_size is 2000000000, expected 1 to 8"));

@@ -79,7 +79,7 @@ TEST(Instructions, NothingIsFusedWhereBytesAreTheSameEverywhere) {
 // 2^20 (1 + 2^-12)^2 = 2^20 (1 + 2^-11) + 2^-4. As a float of its own the product loses the last term, which
 // is all that is left when the bias takes the first away.
 TEST(Instructions, ProductsKeepTheirLastBitsWhereTheTargetFuses) {
-  net::Network network(1, 0.1f);
+  net::Network network(1, {0.1f});
   std::fill(network.parameters.begin(), network.parameters.end(), 0.f);
   const float factor = 1024.f * (1 + 0x1p-12f);
   network.parameters[static_cast<std::size_t>(network.layer(net::kDense2).bias)] = factor;

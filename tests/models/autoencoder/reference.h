@@ -50,8 +50,8 @@ inline Maps dense(const Layer& l, const double* parameters, const Maps& in) {
   return out;
 }
 
-inline Maps rectify(Maps maps, double leak) {
-  for (double& x : maps) x = x > 0 ? x : leak * x;
+inline Maps activate(Maps maps, const net::Activations& a) {
+  for (double& x : maps) x = a.tanh_hidden ? std::tanh(x) : x > 0 ? x : static_cast<double>(a.leak) * x;
   return maps;
 }
 
@@ -77,27 +77,30 @@ inline Maps unpool(const Maps& in, int size) {
   return out;
 }
 
-inline Maps decode(const net::Layout& layout, double leak, const double* p, const Maps& latent) {
+inline Maps decode(const net::Layout& layout, const net::Activations& a, const double* p,
+                   const Maps& latent) {
   const auto& l = layout.layers;
-  Maps m = rectify(dense(l[net::kDense3], p, latent), leak);
-  m = rectify(dense(l[net::kDense4], p, m), leak);
-  m = rectify(dense(l[net::kDense5], p, m), leak);
-  m = unpool(rectify(convolve(l[net::kDeconv1], p, m, 7), leak), 7);
-  m = unpool(rectify(convolve(l[net::kDeconv2], p, m, 14), leak), 14);
+  Maps m = activate(dense(l[net::kDense3], p, latent), a);
+  m = activate(dense(l[net::kDense4], p, m), a);
+  m = activate(dense(l[net::kDense5], p, m), a);
+  m = unpool(activate(convolve(l[net::kDeconv1], p, m, 7), a), 7);
+  m = unpool(activate(convolve(l[net::kDeconv2], p, m, 14), a), 14);
   m = convolve(l[net::kOutput], p, m, 28);
-  for (double& x : m) x = 1 / (1 + std::exp(-x));
+  if (!a.linear_output)
+    for (double& x : m) x = 1 / (1 + std::exp(-x));
   return m;
 }
 
-inline Result describe(const net::Layout& layout, double leak, const double* p, const Maps& image) {
+inline Result describe(const net::Layout& layout, const net::Activations& a, const double* p,
+                       const Maps& image) {
   const auto& l = layout.layers;
-  Maps m = pool(rectify(convolve(l[net::kConv1], p, image, 28), leak), 28);
-  m = pool(rectify(convolve(l[net::kConv2], p, m, 14), leak), 14);
-  m = rectify(dense(l[net::kDense1], p, m), leak);
-  m = rectify(dense(l[net::kDense2], p, m), leak);
+  Maps m = pool(activate(convolve(l[net::kConv1], p, image, 28), a), 28);
+  m = pool(activate(convolve(l[net::kConv2], p, m, 14), a), 14);
+  m = activate(dense(l[net::kDense1], p, m), a);
+  m = activate(dense(l[net::kDense2], p, m), a);
   m = dense(l[net::kLatent], p, m);
   for (double& x : m) x = std::tanh(x);
-  Result r{m, decode(layout, leak, p, m), 0};
+  Result r{m, decode(layout, a, p, m), 0};
   for (std::size_t i = 0; i < image.size(); ++i) r.error += std::pow(r.decoded[i] - image[i], 2) / 784;
   return r;
 }

@@ -21,8 +21,8 @@ namespace {
 
 using testing::HasSubstr;
 
-Autoencoder untrained(int latent) {
-  net::Network network(latent, 0.1f);
+Autoencoder untrained(int latent, net::Activations activations = {0.1f}) {
+  net::Network network(latent, activations);
   network.initialise(Seed(3), -2.f);
   // Biases that differ, so that the export can't mix them up.
   for (const net::Layer& l : network.layout.layers)
@@ -52,8 +52,9 @@ double greatest_difference(const cv::Mat& found, const std::vector<float>& expec
 TEST(OnnxExport, GivesOpenCvOurNumbers) {
   constexpr int n = 5;
   std::vector<float> images = as_floats(stroke_images(n, Seed(1)));
-  for (const int dim : {1, 2, 8}) {
-    const Autoencoder autoencoder = untrained(dim);
+  for (const auto& [dim, activations] : std::vector<std::pair<int, net::Activations>>{
+           {1, {0.1f}}, {2, {0.1f}}, {8, {0.1f}}, {2, {.tanh_hidden = true}}, {2, {.linear_output = true}}}) {
+    const Autoencoder autoencoder = untrained(dim, activations);
     std::vector<float> position(static_cast<std::size_t>(n * dim)), decoded(n * 784);
     autoencoder.encode(n, images.data(), position.data());
     autoencoder.decode(n, position.data(), decoded.data());

@@ -115,6 +115,24 @@ TEST(ArcShape, FivePointsMakeAnArcOfFourSegments) {
   EXPECT_LT(irregularity(tail), 1e-20);
 }
 
+TEST(Irregularity, OfTurnsWithoutTheirSense) {
+  // Turns of +90, -90, +90, -90 degrees: all the same without their sense.
+  const ArcPoints stairs{{{0, 0}, {1, 0}, {1, 1}, {2, 1}, {2, 2}, {3, 2}}};
+  EXPECT_LT(irregularity(stairs, {true, false}), 1e-20);
+  // +90, +90, -90, -90: lengths alike, and again.
+  const ArcPoints hook{{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 2}, {1, 2}}};
+  EXPECT_LT(irregularity(hook, {true, false}), 1e-20);
+  EXPECT_NEAR(irregularity(hook), std::pow(std::numbers::pi / 2, 2), 1e-12);
+}
+
+TEST(Irregularity, OfSegmentsOfNoLength) {
+  // North, still, north, still, north: turns of 90 degrees to the x-axis and back, or none at all.
+  const ArcPoints halting{{{0, 0}, {0, 1}, {0, 1}, {0, 2}, {0, 2}, {0, 3}}};
+  const double lengths = 100 * 0.24, turn = std::numbers::pi / 2;
+  EXPECT_NEAR(irregularity(halting), lengths + turn * turn, 1e-12);
+  EXPECT_NEAR(irregularity(halting, {false, true}), lengths, 1e-12);
+}
+
 TEST(Irregularity, TurnsAreTheShortWayRound) {
   // Headings 170, -170, 170, -170, 170 degrees: turns of +20 and -20.
   ArcPoints zigzag{Eigen::Vector2d(0, 0)};

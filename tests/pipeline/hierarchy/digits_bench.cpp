@@ -19,7 +19,7 @@ constexpr double kSpacing = 0.012793;  // m, as in the paper's profile
 // What a network costs does not hang on what it has learned.
 const Autoencoder& network() {
   static const Autoencoder autoencoder([] {
-    net::Network net(2, 0.1f);
+    net::Network net(2, {0.1f});
     net.initialise(Seed(20), -2);
     net.refresh();
     return net;

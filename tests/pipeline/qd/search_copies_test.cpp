@@ -37,7 +37,7 @@ struct CountingSearch {
         search(*repertoire, selector, variation, toy, {30, 1000, 7, credit}, Seed(19)) {}
   std::atomic<long> evaluated = 0;
   CountingToy toy;
-  PolynomialMutation variation{3, 10, 0.2f};
+  PolynomialMutation variation{3, {10, 0.2f}};
   std::unique_ptr<Repertoire> repertoire;
   CuriositySelector selector;
   Search search;

@@ -30,7 +30,7 @@ class Toy final : public Evaluator {
 };
 
 struct ToySearch {
-  PolynomialMutation variation{3, 10, 0.3f};
+  PolynomialMutation variation{3, {10, 0.3f}};
   Toy toy;
   std::unique_ptr<Repertoire> repertoire = make_distance_archive(3, 2, {0.05f, 0.1f, 15, 0, 1});
   std::unique_ptr<Selector> selector = std::make_unique<CuriositySelector>();
@@ -87,7 +87,7 @@ struct NotingVariation final : Variation {
     return numbers.note(rng), variation.vary(parent, length, child, rng);
   }
   Numbers& numbers;
-  PolynomialMutation variation{3, 10, 0.3f};
+  PolynomialMutation variation{3, {10, 0.3f}};
 };
 struct NotingEvaluator final : Evaluator {
   explicit NotingEvaluator(Numbers& to) : numbers(to) {}
@@ -171,7 +171,7 @@ struct WithoutFitness final : Evaluator {
 TEST(Search, CreditsTheParentOrAsPublishedThatOfASibling) {
   constexpr int kBatch = 50, kGenerations = 20;
   for (const Credit credit : {Credit::kParent, Credit::kPublished}) {
-    const PolynomialMutation variation(3, 10, 0.3f);
+    const PolynomialMutation variation(3, {10, 0.3f});
     const WithoutFitness evaluator;
     const auto repertoire = make_distance_archive(3, 2, {0.02f, 0.1f, 15, 0, 1});
     CreditNote note;
@@ -247,7 +247,7 @@ struct Unsound final : Evaluator {
 // So that no container has to.
 TEST(SearchDeathTest, RefusesWhatIsNotFinite) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
-  const PolynomialMutation variation(3, 10, 0.3f);
+  const PolynomialMutation variation(3, {10, 0.3f});
   const Unsound evaluator;
   const auto repertoire = make_distance_archive(3, 2, {0.05f, 0.1f, 15, 0, 1});
   UniformSelector selector;

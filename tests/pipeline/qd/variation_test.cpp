@@ -31,7 +31,7 @@ TEST(PolynomialStep, FollowsItsDistribution) {
 }
 
 TEST(PolynomialMutation, ChangesTheStatedShareOfGenes) {
-  const PolynomialMutation mutation(8, 10, 0.1f);
+  const PolynomialMutation mutation(8, {10, 0.1f});
   Rng rng(Seed(16));
   std::vector<float> parent(8), child(8);
   EXPECT_EQ(mutation.sample(parent.data(), rng), 8);
@@ -50,8 +50,50 @@ TEST(PolynomialMutation, ChangesTheStatedShareOfGenes) {
   EXPECT_NEAR(clones / 50000.0, std::pow(0.9, 8), 0.012);  // 43 %
 }
 
+// With one gene in ten and three genes: 0.9^3 of the children would be their parents.
+TEST(PolynomialMutation, ChangesAtLeastOneGeneWhereItIsTo) {
+  Rng rng(Seed(19));
+  const std::vector<float> parent{0.4f, 0.5f, 0.6f};
+  std::vector<float> child(3);
+  const auto changes = [&](MutatedGenes genes) {
+    const PolynomialMutation mutation(3, {10, 0.1f, genes});
+    std::map<int, int> count;  // children by how many genes differ
+    for (int i = 0; i < 20000; ++i) {
+      mutation.vary(parent.data(), 3, child.data(), rng);
+      int here = 0;
+      for (int g = 0; g < 3; ++g) here += child[g] != parent[g];
+      ++count[here];
+    }
+    return count;
+  };
+  const std::map<int, int> each = changes(MutatedGenes::kEach), least = changes(MutatedGenes::kAtLeastOne),
+                           every = changes(MutatedGenes::kEvery);
+  EXPECT_NEAR(each.at(0) / 20000.0, 0.729, 0.02);
+  EXPECT_FALSE(least.contains(0));
+  EXPECT_NEAR(least.at(1) / 20000.0, 0.729 + 3 * 0.1 * 0.81, 0.02);
+  EXPECT_NEAR(least.at(2) / 20000.0, 3 * 0.01 * 0.9, 0.01);
+  EXPECT_EQ(every.rbegin()->first, 3);
+  EXPECT_GT(every.at(3), 19900);  // a step may be smaller than a float tells
+}
+
+// Where none mutates by chance, each gene is as likely to be the one.
+TEST(PolynomialMutation, DrawsTheOneGeneUniformly) {
+  Rng rng(Seed(20));
+  const PolynomialMutation mutation(4, {10, 0, MutatedGenes::kAtLeastOne});
+  const std::vector<float> parent(4, 0.5f);
+  std::vector<float> child(4);
+  std::map<int, int> changed;
+  for (int i = 0; i < 8000; ++i) {
+    mutation.vary(parent.data(), 4, child.data(), rng);
+    for (int g = 0; g < 4; ++g)
+      if (child[g] != parent[g]) ++changed[g];
+  }
+  for (int g = 0; g < 4; ++g) EXPECT_NEAR(changed[g], 2000, 200);
+}
+
 TEST(BlockMutation, AddsAndRemovesWholeBlocks) {
-  const BlockMutation mutation(3, 3, 3, 10, 0.0f, 0.05f);  // no gene mutates: what stays must be the parent's
+  const BlockMutation mutation(3, 3, 3, {10, 0.0f},
+                               0.05f);  // no gene mutates: what stays must be the parent's
   Rng rng(Seed(17));
   std::map<int, int> sampled;
   std::vector<float> parent(mutation.genes()), child(mutation.genes());

@@ -1,0 +1,153 @@
+#include "reports/readings/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "pipeline/core/check.h"
+#include "pipeline/statistics/factorial.h"
+#include "reports/claims/claims.h"
+#include "reports/claims/measured.h"
+#include "reports/readings/paper_figures.h"
+
+namespace hbr {
+namespace {
+
+using nlohmann::json;
+using Responses = std::vector<std::optional<double>>;  // of each run
+
+json or_null(const std::optional<double>& x) { return x ? json(*x) : json(); }
+
+json numbers(const Responses& xs) {
+  json result = json::array();
+  for (const auto& x : xs) result.push_back(or_null(x));
+  return result;
+}
+
+class Study {
+ public:
+  Study(const std::vector<StudiedReading>& readings, const std::vector<StudiedRun>& runs) : runs_(runs) {
+    for (const StudiedReading& reading : readings) levels_.push_back(static_cast<int>(reading.values.size()));
+    for (const StudiedRun& run : runs) design_.push_back(run.levels);
+  }
+
+  json moved(const Responses& xs) const {
+    std::vector<double> response;
+    for (const auto& x : xs) {
+      if (!x || !std::isfinite(*x)) return {};
+      response.push_back(*x);
+    }
+    const bool logarithm = std::ranges::all_of(response, [](double x) { return x > 0; });
+    if (logarithm)
+      for (double& x : response) x = std::log(x);
+    const FactorialAnalysis analysis = analyse_factorial(levels_, design_, response);
+    json terms = json::array();
+    for (const Term& term : analysis.terms)
+      terms.push_back({{"readings", term.factors},
+                       {"share", term.share},
+                       {"degrees", term.degrees},
+                       {"p", or_null(term.p)}});
+    return {{"logarithm", logarithm},
+            {"terms", terms},
+            {"effects", analysis.effects},
+            {"unexplained", analysis.unexplained}};
+  }
+
+  Responses measured(const PaperFigure& figure) const {
+    Responses xs;
+    for (const StudiedRun& run : runs_) {
+      const StatisticsReader statistics(run.statistics);
+      const auto of = statistics.figure(figure.of),
+                 to = figure.to.empty() ? of : statistics.figure(figure.to);
+      xs.push_back(of && to ? computed(figure.kind, *of, *to) : std::nullopt);
+      if (xs.back() && !(*xs.back() > 0)) xs.back().reset();  // no distance
+    }
+    return xs;
+  }
+
+  json claims(const std::filesystem::path& file) const {
+    std::vector<json> evaluated;
+    for (const StudiedRun& run : runs_) evaluated.push_back(evaluate_claims(file, run.statistics));
+    json result = json::array();
+    for (std::size_t c = 0; c < evaluated[0].size(); ++c) {
+      const json& claim = evaluated[0][c];
+      json verdicts = json::array(), checks = json::array();
+      bool answered = false;
+      for (const json& run : evaluated) {
+        verdicts.push_back(run[c].at("indication"));
+        answered = answered || verdicts.back() != "";
+      }
+      if (!answered || claim.at("decided_by") != "result" || claim.at("checks").empty()) continue;
+      for (std::size_t k = 0; k < claim.at("checks").size(); ++k) {
+        Responses xs;
+        for (const json& run : evaluated) {
+          const json& check = run[c].at("checks")[k];
+          xs.push_back(check.contains("x") ? std::optional(check.at("x").get<double>()) : std::nullopt);
+        }
+        checks.push_back(
+            {{"words", claim.at("checks")[k].at("words")}, {"x", numbers(xs)}, {"moved", moved(xs)}});
+      }
+      result.push_back({{"id", claim.at("id")},
+                        {"statement", claim.at("statement")},
+                        {"place", claim.at("place")},
+                        {"verdicts", verdicts},
+                        {"checks", checks}});
+    }
+    return result;
+  }
+
+ private:
+  std::vector<int> levels_;
+  std::vector<Levels> design_;
+  const std::vector<StudiedRun>& runs_;
+};
+
+// Places of the runs, the least distance first; those without one at the end.
+std::vector<std::size_t> nearest_first(const Responses& distances) {
+  std::vector<std::size_t> places(distances.size());
+  std::iota(places.begin(), places.end(), 0);
+  std::ranges::stable_sort(places, {}, [&](std::size_t i) {
+    return distances[i].value_or(std::numeric_limits<double>::infinity());
+  });
+  return places;
+}
+
+}  // namespace
+
+json study_readings(const std::vector<StudiedReading>& readings, const std::vector<StudiedRun>& runs,
+                    const std::filesystem::path& figures_file, const std::filesystem::path& claims) {
+  const Study study(readings, runs);
+  json named = json::array(), figures = json::array(), all = json::array();
+  for (const StudiedReading& reading : readings)
+    named.push_back({{"id", reading.id}, {"values", reading.values}});
+  std::vector<Responses> distances(runs.size());
+  for (const PaperFigure& figure : read_paper_figures(figures_file)) {
+    const Responses xs = study.measured(figure);
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      distances[r].push_back(xs[r] ? std::optional(figure.distance(*xs[r])) : std::nullopt);
+    figures.push_back({{"id", figure.id},
+                       {"place", figure.place},
+                       {"words", figure.words},
+                       {"median", figure.median},
+                       {"quartiles", figure.quartiles},
+                       {"x", numbers(xs)},
+                       {"moved", study.moved(xs)}});
+  }
+  Responses whole;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    whole.push_back(distance_of_all(distances[r]));
+    all.push_back({{"name", runs[r].name},
+                   {"levels", runs[r].levels},
+                   {"distances", numbers(distances[r])},
+                   {"distance", or_null(whole.back())}});
+  }
+  return {{"readings", named},
+          {"runs", all},
+          {"nearest", nearest_first(whole)},
+          {"figures", figures},
+          {"claims", study.claims(claims)}};
+}
+
+}  // namespace hbr
