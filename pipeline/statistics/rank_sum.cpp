@@ -85,13 +85,15 @@ RankSum rank_sum(std::span<const double> a, std::span<const double> b) {
   RankSum result;
   result.u = ranked.rank_sum_a - n_a * (n_a + 1) / 2;
   result.a12 = result.u / (n_a * n_b);
-  result.p = normal_p(result.u, n_a, n_b, ranked.ties);
+  result.p_normal = normal_p(result.u, n_a, n_b, ranked.ties);
   if (ranked.ties == 0 && a.size() + b.size() <= kExactLimit)
     result.p_exact = exact_p(result.u, a.size(), b.size());
+  result.p = a.size() + b.size() <= kSmall ? result.p_exact.value_or(result.p_normal) : result.p_normal;
   return result;
 }
 
 double least_p(std::size_t n_a, std::size_t n_b) {
+  if (n_a + n_b <= kSmall) return exact_p(0, n_a, n_b);
   return normal_p(0, static_cast<double>(n_a), static_cast<double>(n_b), 0);
 }
 

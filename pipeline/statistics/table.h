@@ -4,9 +4,9 @@
 // quantities  "layer2.n10.size": {unit, meaning, values, replications, n, median, q1, q3, min, max}
 //             one value per replication
 // tests       "A_vs_B": {a: "A", b: "B", n_a, n_b, p, p_exact, least_p, a12, ratio, difference}
-//             rank-sum test between the quantities A and B; p_exact where it was computed; least_p is the
-//             least p at these sizes; ratio and difference of the medians are a over b (absent where that of
-//             b is 0) and a less b
+//             rank-sum test between the quantities A and B (rank_sum.h); p_exact where it was computed;
+//             least_p is the least p at these sizes; ratio and difference of the medians are a over b (absent
+//             where that of b is 0) and a less b
 // numbers     "layer2.n10.generations": {unit, meaning, value}
 // boxes       "substitution.m1.original": {unit, meaning, n, median, q1, q3, low, high, below, above, min,
 // max}

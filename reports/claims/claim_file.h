@@ -26,8 +26,8 @@ struct Size {
 //   ratio       of over to (medians)
 //   difference  of less to (medians)
 //   a12         the chance that a value of `of` is greater than one of `to`
-// It holds where x lies in `reproduced` and the rank-sum test gives p < p_below; it holds in part where x
-// lies in `partly`.
+// It holds where x lies in `reproduced` and the rank-sum test gives p < p_below, adjusted for the tests of
+// all claims (Holm 1979); it holds in part where x lies in `partly`.
 struct Check {
   std::string words;  // what is compared, for the reader
   std::string kind, of, to;

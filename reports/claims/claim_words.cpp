@@ -33,8 +33,11 @@ std::string figures(const Check& check, const Measured& m) {
                                        format_quantity(m.to.median, m.to.unit));
   const auto tested = shown_p(m);
   const std::string p = tested && check.p_below < 1 ? ", p = " + format_p(*tested) : "";
-  if (check.kind == "a12") return fmt::format("{} (A12 = {}{})", pair, format_number(*m.x), p);
-  return fmt::format("{} ({}{})", in_unit(check, m, *m.x), pair, p);
+  const std::string interval =
+      m.interval ? fmt::format(" [{}; {}]", format_number(m.interval->low), format_number(m.interval->high))
+                 : "";
+  if (check.kind == "a12") return fmt::format("{} (A12 = {}{}{})", pair, format_number(*m.x), interval, p);
+  return fmt::format("{}{} ({}{})", in_unit(check, m, *m.x), interval, pair, p);
 }
 
 // "n = 4", "n = 4 and 2"; "" of a single number.
@@ -104,7 +107,8 @@ const char* outcome_name(CheckOutcome outcome) {
 }
 
 std::optional<double> shown_p(const Measured& m) {
-  return std::min(m.of.values.size(), m.to.values.size()) < kFewestToTest ? std::nullopt : m.p;
+  if (std::min(m.of.values.size(), m.to.values.size()) < kFewestToTest) return {};
+  return m.p_together ? m.p_together : m.p;
 }
 
 std::string check_ours(const Check& check, const Measured& m) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/statistics/inference.h"
 #include "reports/claims/claim_file.h"
 
 namespace hbr {
@@ -24,6 +25,8 @@ struct Measured {
   std::string absent;  // what is missing, where something is
   Statistic of, to;
   std::optional<double> x, p, a12;
+  std::optional<double> p_together;  // p, adjusted for the tests of all claims, which are read together
+  std::optional<Interval> interval;  // of x, at kConfidence
 };
 
 struct NeedFound {
@@ -33,7 +36,8 @@ struct NeedFound {
   bool met = false;
 };
 
-// The p-value, where there are kFewestToTest replications of both.
+// The p-value that decides, adjusted for all tests that do, where there are kFewestToTest replications of
+// both.
 std::optional<double> shown_p(const Measured& measured);
 // What was found, with the replications: "325 times (50 000 elites against 154), n = 50"; or what is missing.
 std::string check_ours(const Check& check, const Measured& measured);

@@ -7,6 +7,7 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/rank_sum.h"
+#include "pipeline/statistics/summary.h"
 #include "reports/claims/claim_file.h"
 #include "reports/claims/claim_words.h"
 #include "reports/claims/measured.h"
@@ -18,14 +19,39 @@ using nlohmann::json;
 
 bool within(double x, const std::vector<double>& range) { return x >= range[0] && x <= range[1]; }
 
-// So few replications can't give a smaller p than the test's floor for them.
-bool significant(const Check& check, const Measured& m) {
+bool tested(const Check& check, const Measured& m) { return check.p_below < 1 && m.p; }
+
+// So few replications can't give a smaller p than the test's floor for them, were it the least of all tests.
+bool significant(const Check& check, const Measured& m, std::size_t tests) {
   if (check.p_below >= 1) return true;
   if (!m.p) return false;
   const double floor = least_p(m.of.values.size(), m.to.values.size());
-  return *m.p < check.p_below || (floor >= check.p_below && *m.p <= floor * (1 + 1e-12));
+  return *m.p_together < check.p_below ||
+         (floor * static_cast<double>(tests) >= check.p_below && *m.p <= floor * (1 + 1e-12));
 }
 
+// Of x, where there are replications enough to draw from.
+std::optional<Interval> interval_of(const Check& check, const Measured& m) {
+  const std::size_t of = m.of.values.size(), to = check.to.empty() ? of : m.to.values.size();
+  if (check.kind == "value" || std::min(of, to) < kFewestToTest) return {};
+  const Interval interval = bootstrap(
+      m.of.values, m.to.values,
+      [&](std::span<const double> a, std::span<const double> b) {
+        const auto middle = [](std::span<const double> values) {
+          std::vector<double> sorted(values.begin(), values.end());
+          std::ranges::sort(sorted);
+          return quantile(sorted, 0.5);
+        };
+        if (check.kind == "a12") return rank_sum(a, b).a12;
+        const double x = middle(a), y = middle(b);
+        return check.kind == "difference" ? x - y : x / y;
+      },
+      check.kind + " " + check.of + " " + check.to);
+  if (!std::isfinite(interval.low) || !std::isfinite(interval.high)) return {};
+  return interval;
+}
+
+// All but the outcome.
 Measured measure(const Check& check, const StatisticsReader& statistics) {
   Measured m;
   const auto of = statistics.figure(check.of), to = statistics.figure(check.to);
@@ -35,19 +61,47 @@ Measured measure(const Check& check, const StatisticsReader& statistics) {
   m.of = *of;
   if (to) m.to = *to;
   m.x = computed(check.kind, m.of, m.to);
+  if (!m.x) {
+    m.absent = check.kind + " of " + check.of;
+    return m;
+  }
   if (!m.of.values.empty() && !m.to.values.empty()) {
     const RankSum test = rank_sum(m.of.values, m.to.values);
     m.p = test.p;
     m.a12 = test.a12;
-  }
-  if (!m.x) {
-    m.absent = check.kind + " of " + check.of;
-  } else if (within(*m.x, check.reproduced)) {
-    m.outcome = significant(check, m) ? CheckOutcome::yes : CheckOutcome::partly;
-  } else {
-    m.outcome = within(*m.x, check.partly) ? CheckOutcome::partly : CheckOutcome::no;
+    m.interval = interval_of(check, m);
   }
   return m;
+}
+
+CheckOutcome outcome_of(const Check& check, const Measured& m, std::size_t tests) {
+  if (!m.x) return CheckOutcome::absent;
+  if (within(*m.x, check.reproduced))
+    return significant(check, m, tests) ? CheckOutcome::yes : CheckOutcome::partly;
+  return within(*m.x, check.partly) ? CheckOutcome::partly : CheckOutcome::no;
+}
+
+// What every check of every claim came to. The tests that decide are read together.
+std::vector<std::vector<Measured>> measured_claims(const std::vector<Claim>& claims,
+                                                   const StatisticsReader& statistics) {
+  std::vector<std::vector<Measured>> all;
+  std::vector<double> p;
+  for (const Claim& claim : claims) {
+    all.emplace_back();
+    for (const Check& check : claim.checks) {
+      all.back().push_back(measure(check, statistics));
+      if (tested(check, all.back().back())) p.push_back(*all.back().back().p);
+    }
+  }
+  const std::vector<double> together = adjusted_together(p);
+  auto next = together.begin();
+  for (std::size_t c = 0; c < claims.size(); ++c)
+    for (std::size_t k = 0; k < claims[c].checks.size(); ++k) {
+      Measured& m = all[c][k];
+      if (tested(claims[c].checks[k], m)) m.p_together = *next++;
+      m.outcome = outcome_of(claims[c].checks[k], m, p.size());
+    }
+  return all;
 }
 
 // Of the checks that could be made.
@@ -102,17 +156,19 @@ json check_json(const Check& check, const Measured& m) {
     result["figure"] = check_figure(check, m);
   }
   if (const auto p = shown_p(m)) result["p"] = *p;
+  if (m.p && m.p_together && shown_p(m)) result["p_alone"] = *m.p;
   if (m.a12) result["a12"] = *m.a12;
+  if (m.interval) result["interval"] = {m.interval->low, m.interval->high};
   return result;
 }
 
-json evaluated(const Claim& claim, const ClaimFile& file, const StatisticsReader& statistics) {
-  std::vector<Measured> measured;
+json evaluated(const Claim& claim, const std::vector<Measured>& measured, const ClaimFile& file,
+               const StatisticsReader& statistics) {
   json checks = json::array(), needs = json::array();
   std::set<std::string> sources;
-  for (const Check& check : claim.checks) {
-    measured.push_back(measure(check, statistics));
-    checks.push_back(check_json(check, measured.back()));
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    const Check& check = claim.checks[k];
+    checks.push_back(check_json(check, measured[k]));
     for (const std::string& name : {check.of, check.to})
       if (!name.empty()) sources.insert(name);
   }
@@ -147,8 +203,10 @@ json evaluated(const Claim& claim, const ClaimFile& file, const StatisticsReader
 json evaluate_claims(const std::filesystem::path& claims, const json& statistics) {
   const ClaimFile file = read_claim_file(claims);
   const StatisticsReader reader(statistics);
+  const std::vector<std::vector<Measured>> measured = measured_claims(file.claims, reader);
   json result = json::array();
-  for (const Claim& claim : file.claims) result.push_back(evaluated(claim, file, reader));
+  for (std::size_t c = 0; c < file.claims.size(); ++c)
+    result.push_back(evaluated(file.claims[c], measured[c], file, reader));
   return result;
 }
 

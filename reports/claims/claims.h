@@ -17,11 +17,13 @@ namespace hbr {
 //               then only asked to be as small as the test can give for so few replications.
 //   reason      what is too small, and how many checks hold
 //   sources     names of the statistics used
-//   checks      [{words, kind, of, to, reproduced, partly, p_below, asked, ours, x, figure, p, a12,
-//   outcome}]:
+//   checks      [{words, kind, of, to, reproduced, partly, p_below, asked, ours, x, figure, p, p_alone, a12,
+//               interval, outcome}]:
 //               asked and ours say in words when it counts as reproduced and what was found; outcome is
 //               "yes", "partly", "no" or "absent"; x, figure (x in its unit), p (of kFewestToTest
-//               replications and more) and a12 where there are such; infinite ends are null
+//               replications and more), a12 and interval (of x at kConfidence, by bootstrap) where there are
+//               such; infinite ends are null. Where p decides it is adjusted for the tests of all claims
+//               (inference.h), and p_alone is what it was
 //   needs       [{of, at_least, found, met}], found is null where the statistic is absent
 //
 // Throws InputError where the file or the statistics are not as described.

@@ -75,9 +75,13 @@ std::string claims_table(const json& claims) {
       table(
           "Each claim, and below it what is compared. In the charts the dark bar is what counts as "
           "reproduced, the pale one what counts in part, the dot this run. p: two-sided rank-sum test "
-          "over the replications (normal approximation, corrected for ties and continuity, as in the "
-          "paper); none is given for fewer than " +
-              std::to_string(kFewestToTest) + " replications.",
+          "over the replications (exact for up to " +
+              std::to_string(kSmall) +
+              " values without ties, else the normal approximation, corrected for ties and continuity, as in "
+              "the paper), adjusted for all the tests here that decide (Holm 1979); none is given for fewer "
+              "than " +
+              std::to_string(kFewestToTest) +
+              " replications. In brackets: 95 % confidence interval, by bootstrap, of what is computed.",
           results);
   if (!design.empty())
     html += "<details id=\"design\"><summary>Facts of the design</summary>\n" +

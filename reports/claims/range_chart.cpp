@@ -45,6 +45,9 @@ std::string range_chart(const nlohmann::json& check) {
   for (const char* range : {"reproduced", "partly"})
     for (const nlohmann::json& end : check.at(range))
       if (!end.is_null()) shown.push_back(end);
+  const bool interval = check.contains("interval");
+  if (interval)
+    for (const nlohmann::json& end : check.at("interval")) shown.push_back(end);
   const Scale scale(shown);
   const auto band = [&](const char* range, const char* css) {
     const nlohmann::json &low = check.at(range).at(0), &high = check.at(range).at(1);
@@ -54,10 +57,15 @@ std::string range_chart(const nlohmann::json& check) {
   };
   return fmt::format(
       "<svg class=\"range\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} where {} is asked\">"
-      "<path class=\"axis\" d=\"M0 {}H{}\"/>{}{}<circle cx=\"{:.1f}\" cy=\"{}\" r=\"{}\"/></svg>",
+      "<path class=\"axis\" d=\"M0 {}H{}\"/>{}{}{}<circle cx=\"{:.1f}\" cy=\"{}\" r=\"{}\"/></svg>",
       kWidth, kHeight, escape_html(check.at("figure").get<std::string>()),
       escape_html(check.at("asked").get<std::string>()), kHeight / 2, kWidth, band("partly", "in-part"),
-      band("reproduced", "asked"), scale(x), kHeight / 2, kRadius);
+      band("reproduced", "asked"),
+      interval
+          ? fmt::format("<path class=\"interval\" d=\"M{:.1f} {}H{:.1f}\"/>",
+                        scale(check.at("interval").at(0)), kHeight / 2, scale(check.at("interval").at(1)))
+          : "",
+      scale(x), kHeight / 2, kRadius);
 }
 
 }  // namespace hbr

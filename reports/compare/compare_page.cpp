@@ -155,8 +155,7 @@ std::string difference_of(const MeasureRow& row) {
 // "0.84, p = 0.03"
 std::string effect_of(const MeasureRow& row) {
   if (!row.test) return "–";
-  return escape_html(fmt::format("{}, p = {}", format_number(row.test->a12, 2),
-                                 format_p(row.test->p_exact.value_or(row.test->p))));
+  return escape_html(fmt::format("{}, p = {}", format_number(row.test->a12, 2), format_p(row.test->p)));
 }
 
 std::string measures_html(const std::string& variation, const json& a, const json& b) {

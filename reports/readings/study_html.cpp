@@ -38,12 +38,11 @@ class StudyTables {
 
   // The nearest combinations, and the plain run wherever it stands.
   std::string nearest() const {
-    Row head{"Rank"};
+    Row head{"Rank", "Distance"};
     head.insert(head.end(), titles_.begin(), titles_.end());
     for (const json& figure : study_.at("figures"))
       head.push_back(fmt::format("{}<br><small>paper {}</small>", text(figure.at("words")),
                                  format_number(figure.at("median"))));
-    head.push_back("Distance");
     std::vector<Row> rows;
     const json& places = study_.at("nearest");
     for (std::size_t rank = 0; rank < places.size(); ++rank) {
@@ -103,7 +102,9 @@ class StudyTables {
   }
 
   Row combination(std::size_t rank, std::size_t place, const json& run, bool plain) const {
-    Row row{fmt::format("{}{}", rank + 1, plain ? " (this run)" : "")};
+    const json& distance = run.at("distance");
+    Row row{fmt::format("{}{}", rank + 1, plain ? " (this run)" : ""),
+            distance.is_null() ? "–" : fmt::format("{:.2f}", distance.get<double>())};
     for (std::size_t r = 0; r < titles_.size(); ++r) {
       const auto level = run.at("levels")[r].get<std::size_t>();
       const std::string value = text(study_.at("readings")[r].at("values")[level]);
@@ -113,8 +114,6 @@ class StudyTables {
       const json& x = figure.at("x")[place];
       row.push_back(x.is_null() ? "–" : format_number(x));
     }
-    const json& distance = run.at("distance");
-    row.push_back(distance.is_null() ? "–" : fmt::format("{:.2f}", distance.get<double>()));
     return row;
   }
 
@@ -139,6 +138,7 @@ class StudyTables {
 
   std::string pairs(const json& moved) const {
     std::vector<std::string> found;
+    if (moved.at("terms").size() == titles_.size()) return "too few combinations";
     for (const json& term : moved.at("terms"))
       if (term.at("readings").size() == 2 && told(term))
         found.push_back(fmt::format("{} × {} {}", titles_[term.at("readings")[0]],

@@ -17,8 +17,9 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-const std::filesystem::path kClaims = std::filesystem::path(HBR_SOURCE_DIR) / "reports/claims.toml",
-                            kFigures = std::filesystem::path(HBR_SOURCE_DIR) / "reports/paper_figures.toml";
+const std::filesystem::path kClaimFile = std::filesystem::path(HBR_SOURCE_DIR) / "reports/claims.toml",
+                            kFigureFile =
+                                std::filesystem::path(HBR_SOURCE_DIR) / "reports/paper_figures.toml";
 
 class StudyOfReadings : public testing::Test {
  protected:
@@ -76,7 +77,7 @@ TEST_F(StudyOfReadings, RanksCombinationsAndSaysWhatMovesThem) {
       "[[figures]]\nid = \"worse\"\nplace = \"5.4\"\nwords = \"times worse\"\nkind = \"ratio\"\nof = "
       "\"flat_arcs.mean\"\nto = \"layer3.n10.mean\"\nmedian = 2.3\nquartiles = []\n";
   const json study =
-      study_readings(readings_, runs(), file(figure("quartiles = [800, 1250]") + ratio), kClaims);
+      study_readings(readings_, runs(), file(figure("quartiles = [800, 1250]") + ratio), kClaimFile);
   EXPECT_EQ(study["nearest"],
             (json{3, 1, 2, 0}));  // half the lines are nearer than arcs that are 1.6 times worse
   EXPECT_EQ(study["runs"][1]["name"], "readings_01");
@@ -101,7 +102,7 @@ TEST_F(StudyOfReadings, RanksCombinationsAndSaysWhatMovesThem) {
 TEST_F(StudyOfReadings, SaysWhatWasNotMeasured) {
   std::vector<StudiedRun> some = runs();
   some[2].statistics["quantities"].erase("layer2.n10.size");
-  const json study = study_readings(readings_, some, file(figure("quartiles = []")), kClaims);
+  const json study = study_readings(readings_, some, file(figure("quartiles = []")), kClaimFile);
   EXPECT_TRUE(study["figures"][0]["x"][2].is_null());
   EXPECT_TRUE(study["figures"][0]["moved"].is_null());
   EXPECT_TRUE(study["runs"][2]["distance"].is_null());
@@ -110,7 +111,7 @@ TEST_F(StudyOfReadings, SaysWhatWasNotMeasured) {
 }
 
 TEST_F(StudyOfReadings, BecomesASection) {
-  const json study = study_readings(readings_, runs(), file(figure("quartiles = [800, 1250]")), kClaims);
+  const json study = study_readings(readings_, runs(), file(figure("quartiles = [800, 1250]")), kClaimFile);
   const json ledger = {{{"id", "mutation"}, {"title", "Mutation rate"}},
                        {{"id", "turns"}, {"title", "A < B"}}};
   const std::string html = study_html(study, ledger);
@@ -124,7 +125,7 @@ TEST_F(StudyOfReadings, BecomesASection) {
 }
 
 TEST_F(StudyOfReadings, ReadsThePapersFiguresStrictly) {
-  EXPECT_GE(read_paper_figures(kFigures).size(), 7u);
+  EXPECT_GE(read_paper_figures(kFigureFile).size(), 7u);
   const auto complaint = [&](const std::string& text) {
     try {
       read_paper_figures(file(text));

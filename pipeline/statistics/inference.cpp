@@ -1,0 +1,43 @@
+#include "pipeline/statistics/inference.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "pipeline/core/check.h"
+#include "pipeline/core/random.h"
+#include "pipeline/statistics/summary.h"
+
+namespace hbr {
+
+std::vector<double> adjusted_together(std::span<const double> p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return p[i]; });
+  std::vector<double> adjusted(p.size());
+  double least = 0;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    least = std::max(least, std::min(1.0, p[order[rank]] * static_cast<double>(p.size() - rank)));
+    adjusted[order[rank]] = least;
+  }
+  return adjusted;
+}
+
+Interval bootstrap(std::span<const double> a, std::span<const double> b, const Effect& effect,
+                   std::string_view name) {
+  if (a.empty()) throw InputError("bootstrap of {}: no values; expected at least one", name);
+  Rng rng(Seed(0).child("bootstrap").child(name));
+  const auto draw = [&](std::span<const double> from, std::vector<double>& to) {
+    for (double& value : to) value = from[rng.below(static_cast<std::uint32_t>(from.size()))];
+  };
+  std::vector<double> some_a(a.size()), some_b(b.size()), effects(kResamples);
+  for (double& e : effects) {
+    draw(a, some_a);
+    draw(b, some_b);
+    e = effect(some_a, some_b);
+  }
+  std::ranges::sort(effects);
+  const double tail = (1 - kConfidence) / 2;
+  return {quantile(effects, tail), quantile(effects, 1 - tail)};
+}
+
+}  // namespace hbr

@@ -1,0 +1,30 @@
+// What many tests and few replications leave uncertain: p-values of tests that are read together, and
+// confidence intervals of effect sizes.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace hbr {
+
+// Holm's step-down adjustment (1979): the least level at which each of the tests, read together, would be
+// significant. In the order given, at most 1.
+std::vector<double> adjusted_together(std::span<const double> p);
+
+struct Interval {
+  double low, high;
+};
+
+inline constexpr double kConfidence = 0.95;
+inline constexpr int kResamples = 2000;
+
+// Percentile interval (Efron 1979) of what `effect` computes from two samples, each drawn anew with
+// replacement; the second may be empty. `name` seeds the draws: the same name and samples give the same
+// interval. Throws InputError where the first is empty.
+using Effect = std::function<double(std::span<const double>, std::span<const double>)>;
+Interval bootstrap(std::span<const double> a, std::span<const double> b, const Effect& effect,
+                   std::string_view name);
+
+}  // namespace hbr
