@@ -114,4 +114,11 @@ void Judge::read_training_images(const LabelledImages& train, Workers& workers) 
   labels_ = std::move(images.labels);
 }
 
+std::vector<std::uint8_t> lost_digits(const Verdicts& before, const Verdicts& after) {
+  std::vector<std::uint8_t> lost(before.good.size());
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    lost[i] = before.good[i] && !(after.good[i] && after.label[i] == before.label[i]);
+  return lost;
+}
+
 }  // namespace hbr

@@ -48,6 +48,9 @@ struct Verdicts {
   std::vector<std::uint8_t> good;     // 1 where accepted, typical, and most neighbours have the label
 };
 
+// Of digits that were good before: 1 where they are not good any more, or of another class.
+std::vector<std::uint8_t> lost_digits(const Verdicts& before, const Verdicts& after);
+
 class Judge {
  public:
   // Learns from the training images; what is typical comes from the test images of even index, so that those

@@ -90,6 +90,11 @@ void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& tabl
       differences.add(artifact, file, std::string("evolved/") + difference,
                       std::string("evolved_") + difference, 100);
     }
+    const std::vector<std::uint8_t> good = flags(file, "good");
+    if (std::ranges::count(good, 1) > 0)
+      for (const char* group : {"", "evolved/"})
+        add_share(table, artifact, *group ? "evolved_lost" : "lost", flags(file, std::string(group) + "lost"),
+                  good);
     for (const char* error : {"end", "displacement"})
       errors.add(artifact, file, std::string("lines/") + error, std::string("line_") + error, 1);
     for (const char* error : {"end", "centre", "length"})

@@ -6,6 +6,8 @@ namespace {
 constexpr std::array kOfTransfer = {
     Entry{"absolute", "%", "{}: absolute pixel difference"},
     Entry{"squared", "%", "{}: squared pixel difference"},
+    Entry{"lost", "%",
+          "{}: of the arm's good digits those that the judge does not read any more, or otherwise"},
     Entry{"images", "images", "{}: images drawn by both"},
     Entry{"line_end", "m", "{}: distance between the ends of a line from a common start"},
     Entry{"line_displacement", "m", "{}: distance between the displacements of a line"},

@@ -42,7 +42,8 @@ void plan_transfer(Plan& plan, const RobotSettings& robot) {
     evolved.front().second = numbered(robot.name + "_layer1", r);
     append(both, by_robot);
     append(both, evolved);
-    both.emplace_back("digits", numbered("digit_verdicts", r));
+    append(both,
+           {{"digits", numbered("digit_verdicts", r)}, {"dataset", "dataset.h5"}, {"judge", "judge.h5"}});
     plan.add("robot_transfer", robot.name + "_transfer", r,
              with(plan.run(r),
                   {{"transfer", settings_to_json(p.transfer)}, {"pencil", stack.back()->settings["pencil"]}}),

@@ -143,14 +143,6 @@ std::string losses(const Player& player, const std::vector<std::uint8_t>& lost, 
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
-// Of the digits that the judge takes for one: 1 where it does not take what is left for the same.
-std::vector<std::uint8_t> lost_digits(const Verdicts& before, const Verdicts& after) {
-  std::vector<std::uint8_t> lost(before.good.size());
-  for (std::size_t i = 0; i < lost.size(); ++i)
-    lost[i] = before.good[i] && !(after.good[i] && after.label[i] == before.label[i]);
-  return lost;
-}
-
 // The movement along configurations, at the profile's pace or, where that asks a joint of one of the bodies
 // for too much, a tenth below the pace that does not.
 JointPath movement_along(const std::vector<double>& joints, const std::vector<float>& pen,

@@ -1,6 +1,7 @@
 // Transfer (paper, section 5.2): every line, arc and digit executed by the arm and by another robot through
 // the same layers 2 to 4; the digits also over the robot's layer 1 as it was evolved, before it was moved
 // onto the plane and completed.
+#include "models/judge/judge.h"
 #include "models/judge/surest.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
@@ -100,9 +101,11 @@ void run(hbr::StageRun& stage) {
   });
 
   const hbr::Hdf5Reader judged(stage.input("digits"));
-  const auto shown = static_cast<Eigen::Index>(hbr::most_legible(
-      {judged.read<std::uint8_t>("hbr/label").values, judged.read<std::uint8_t>("hbr/good").values,
-       judged.read<float>("hbr/confidence").values}));
+  hbr::Verdicts of_arm;
+  of_arm.label = judged.read<std::uint8_t>("hbr/label").values;
+  of_arm.good = judged.read<std::uint8_t>("hbr/good").values;
+  const auto shown = static_cast<Eigen::Index>(
+      hbr::most_legible({of_arm.label, of_arm.good, judged.read<float>("hbr/confidence").values}));
   const hbr::Trace trace =
       trace_of(*by_robot.executor(), digits.solution.row(shown).data(), digits.genes(shown));
   const auto points = static_cast<std::size_t>(trace.points());
@@ -112,8 +115,14 @@ void run(hbr::StageRun& stage) {
   file.attribute("framing", s.pencil.framing);
   file.write("id", digits.id);
   file.write("arm", {n, hbr::kImageSide, hbr::kImageSide}, arm_images.data());
-  completed.write(file, "");
-  as_evolved.write(file, "evolved/");
+  const hbr::Dataset dataset = hbr::read_dataset(stage.input("dataset"));
+  const hbr::Judge judge(hbr::Hdf5Reader(stage.input("judge")), dataset, workers);
+  file.write("good", of_arm.good);
+  for (const auto& [drawn, group] : {std::pair{&completed, ""}, std::pair{&as_evolved, "evolved/"}}) {
+    drawn->write(file, group);
+    file.write(std::string(group) + "lost",
+               hbr::lost_digits(of_arm, judge.judge(n, drawn->images.data(), workers)));
+  }
   write_layer_errors(file, s, seed_of(stage, s), arm, robot, workers);
   file.write("picture/pen", {points, 2}, trace.pen.data());
   file.write("picture/joints", {points, static_cast<std::size_t>(robot.body->dof())},

@@ -27,6 +27,15 @@ class SyntheticRobots : public SyntheticLayers {
       for (std::vector<float>* worse : {&absolute, &squared})
         for (float& value : *worse) value *= 1.5f;
       file.write("evolved/absolute", absolute);
+      std::vector<std::uint8_t> good(absolute.size()), lost(absolute.size()), evolved_lost(absolute.size());
+      for (std::size_t i = 0; i < good.size(); ++i) {
+        good[i] = i % 2 == 0;
+        lost[i] = i % 20 == 0;
+        evolved_lost[i] = i % 10 == 0;
+      }
+      file.write("good", good);
+      file.write("lost", lost);
+      file.write("evolved/lost", evolved_lost);
       file.write("evolved/squared", squared);
       for (const auto& [name, middle] :
            {std::pair{"lines/end", 0.006f}, std::pair{"lines/displacement", 0.008f},

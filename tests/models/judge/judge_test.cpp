@@ -133,6 +133,15 @@ TEST_F(JudgeTest, RefusesSettingsThatDoNotFit) {
   EXPECT_THROW(Judge(settings, dataset_, workers_), InputError);
 }
 
+TEST(LostDigits, WereGoodAndAreNotOrAreOthers) {
+  Verdicts before, after;
+  before.label = {3, 3, 3, 3, 7};
+  before.good = {1, 1, 1, 0, 0};
+  after.label = {3, 3, 5, 5, 7};
+  after.good = {1, 0, 1, 0, 1};
+  EXPECT_EQ(lost_digits(before, after), (std::vector<std::uint8_t>{0, 1, 1, 0, 0}));
+}
+
 // A grey edge has its gradients in one direction, at right angles to it; turned by half a turn, in the
 // opposite one.
 TEST(Hog, SeesTheDirectionOfAnEdge) {

@@ -51,6 +51,8 @@ TEST(CollectRobots, TransferWithoutItsOutliers) {
   EXPECT_LT(number("absolute_high"), 2);
   EXPECT_NEAR(number("evolved_absolute_median"), 1.5 * number("absolute_median"), 1e-5);
   EXPECT_NEAR(number("squared_high"), number("absolute_high") / 3, 1e-6);
+  EXPECT_EQ(found["quantities"]["transfer.nao.lost"]["values"], (json{10.0, 10.0}));
+  EXPECT_EQ(found["quantities"]["transfer.nao.evolved_lost"]["values"], (json{20.0, 20.0}));
   EXPECT_EQ(found["quantities"]["transfer.nao.absolute"]["unit"], "%");
   EXPECT_FLOAT_EQ(found["boxes"]["transfer.nao.absolute"]["max"].get<float>(), 8.0f);
   EXPECT_EQ(found["boxes"]["transfer.nao.arc_centre"]["n"], 400);
@@ -68,8 +70,10 @@ TEST(CollectRobots, TransferCountsOutliersAboveOnly) {
     file.write(name, std::vector<float>{0, 1, 1.01f, 1.02f, 1.03f, 1.04f, 1.05f, 5});
   for (const char* name : {"lines/end", "lines/displacement", "arcs/end", "arcs/centre", "arcs/length"})
     file.write(name, std::vector<float>{1});
+  for (const char* name : {"good", "lost", "evolved/lost"}) file.write(name, std::vector<std::uint8_t>(8, 0));
   file.close();
-  const json found = collect_statistics("tiny", {{"nao_transfer/00.h5", path}})["numbers"];
+  const json all = collect_statistics("tiny", {{"nao_transfer/00.h5", path}}), &found = all["numbers"];
+  EXPECT_FALSE(all["quantities"].contains("transfer.nao.lost"));  // there is no good digit to lose
   EXPECT_EQ(found["transfer.nao.absolute_outliers"]["value"], 12.5);
   EXPECT_NEAR(found["transfer.nao.absolute_low"]["value"].get<double>(), 100, 1e-4);
 }
