@@ -12,6 +12,10 @@ Executor::Executor(const PointLayer& points, const Layer& below, const Decoder& 
   HBR_CHECK(repeats == 1 || !decoder.places(), "genomes that say where they begin do the same every time");
 }
 
+Executor Executor::repeated(int repeats) const {
+  return Executor(points_, below_, decoder_, repeats, way_, starts_);
+}
+
 void Executor::start(Eigen::Index begin, int genomes, Seed seed, Executions& executions) const {
   thread_local std::vector<std::int32_t> starts;
   starts.resize(executions.size());

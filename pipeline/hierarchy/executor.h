@@ -22,7 +22,11 @@ class Executor {
   Executor(const PointLayer& points, const Layer& below, const Decoder& decoder, int repeats, Way way,
            Starts starts = {});
 
+  // The same with another number of executions.
+  Executor repeated(int repeats) const;
+
   int repeats() const { return repeats_; }
+  const Way& way() const { return way_; }
   // Whether a genome does the same whatever the seed.
   bool repeatable() const { return decoder_.places() || starts_.common; }
   const PointLayer& points() const { return points_; }

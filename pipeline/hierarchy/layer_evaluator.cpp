@@ -97,21 +97,26 @@ void SampledEvaluator::visit_block(const Rows& genomes, const std::int32_t* leng
   }
 }
 
-void SampledEvaluator::mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
-                                    float* out) const {
+void SampledEvaluator::visit_executions(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
+                                        const EachVisitor& visitor) const {
   Executions executions;
   std::vector<std::uint8_t> possible(end - begin);
-  const int repeats = executor_.repeats();
   for (Eigen::Index first = begin; first < end; first += block()) {
     const Eigen::Index last = std::min(end, first + block());
     executor_.execute(genomes, nullptr, first, last, seed, executions, possible.data());
-    for (Eigen::Index i = first; i < last; ++i) {
-      double sum = 0;
-      for (int s = 0; s < repeats; ++s)
-        sum += outcome_.fitness(executions, static_cast<int>(i - first) * repeats + s);
-      out[i - begin] = static_cast<float>(sum / repeats);
-    }
+    for (Eigen::Index i = first; i < last; ++i)
+      visitor(executions, i, static_cast<int>(i - first) * executor_.repeats());
   }
+}
+
+void SampledEvaluator::mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
+                                    float* out) const {
+  const int repeats = executor_.repeats();
+  visit_executions(genomes, begin, end, seed, [&](const Executions& executions, Eigen::Index row, int first) {
+    double sum = 0;
+    for (int s = 0; s < repeats; ++s) sum += outcome_.fitness(executions, first + s);
+    out[row - begin] = static_cast<float>(sum / repeats);
+  });
 }
 
 }  // namespace hbr

@@ -55,6 +55,10 @@ class SampledEvaluator final : public Evaluator {
   // Executes rows [begin, end) of genomes of one length as evaluate() does, and tells of each.
   void visit(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
              const Visitor& visitor) const;
+  // Executes rows [begin, end) of genomes of one length, and tells of each the first of its executions.
+  using EachVisitor = std::function<void(const Executions&, Eigen::Index row, int first)>;
+  void visit_executions(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
+                        const EachVisitor& visitor) const;
   // Mean fitness of the executions of each of these genomes.
   void mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed, float* out) const;
 

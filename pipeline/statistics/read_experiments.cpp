@@ -60,7 +60,10 @@ void read_arc_quality(const std::vector<Artifact>& artifacts, const std::set<std
       const std::string subject = flat                    ? "flat_arcs"
                                   : layers.contains(name) ? "layers." + name
                                                           : "layer3." + without_layer(name);
-      table.add(subject + ".fresh_mean", artifact.name.replication, mean(read_values(file, name + "/fresh")));
+      for (const auto& [array, measure] :
+           {std::pair{"fresh", "fresh_mean"}, {"irregularity", "irregularity"}, {"joint_term", "joint_term"}})
+        table.add(subject + "." + measure, artifact.name.replication,
+                  mean(read_values(file, name + "/" + array)));
     }
   }
 }

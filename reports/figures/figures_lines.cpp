@@ -70,21 +70,35 @@ Figure arc_quality_figure(const Evidence& evidence) {
   Figure figure{.id = "arc_quality", .title = "The same arcs, executed again"};
   figure.caption =
       "Mean fitness of all stored arcs as the search recorded it (a), and when they are executed again from "
-      "fresh starts (b). With a single sample the search keeps lucky draws. One value per replication.";
-  const std::vector<std::string> fresh = {"layer3.n1.fresh_mean", "layer3.n10.fresh_mean",
-                                          "layer3.n100.fresh_mean", "flat_arcs.fresh_mean"};
+      "fresh starts (b). With a single sample the search keeps lucky draws. What the fitness from fresh "
+      "starts "
+      "is made of: the irregularity of segments and turns (c), and the joints’ term (d), which layer 1 "
+      "already "
+      "keeps small for the hierarchy. One value per replication.";
+  const auto of_each = [](const std::string& measure) {
+    std::vector<std::string> names;
+    for (const char* layer : {"layer3.n1.", "layer3.n10.", "layer3.n100.", "flat_arcs."})
+      names.push_back(layer + measure);
+    return names;
+  };
+  const std::vector<std::string> fresh = of_each("fresh_mean");
   if (evidence.statistics.quantities("layer3.", ".fresh_mean").empty()) {
     figure.absent = "This run did not execute its arcs again from fresh starts.";
     return figure;
   }
   figure.panels = box_panel(
-      evidence.statistics, {"layer3.n1.mean", "layer3.n10.mean", "layer3.n100.mean", "flat_arcs.mean"},
+      evidence.statistics, of_each("mean"),
       {.title = "As stored", .unit = "mean fitness, no unit", .figure = figure.id, .span = 3}, figure.tables);
   append(figure.panels,
          box_panel(
              evidence.statistics, fresh,
              {.title = "From fresh starts", .unit = "mean fitness, no unit", .figure = figure.id, .span = 3},
              figure.tables));
+  for (const auto& [measure, title, unit] : {std::tuple{"irregularity", "Irregularity", "mean, no unit"},
+                                             {"joint_term", "Joints’ term", "mean, rad²"}})
+    append(figure.panels,
+           box_panel(evidence.statistics, of_each(measure),
+                     {.title = title, .unit = unit, .figure = figure.id, .span = 3}, figure.tables));
   figure.notes = tests_table(evidence.statistics, fresh);
   return figure;
 }

@@ -12,10 +12,17 @@ std::string label(const std::string& name) {
   return name.starts_with("layer") && end != std::string::npos ? name.substr(end + 1) : name;
 }
 
+// The first layer of a kind; none where there is none.
+const LayerRow* first_of(const Plan& plan, const std::string& kind) {
+  const auto found =
+      std::ranges::find_if(plan.rows(), [&](const LayerRow& row) { return row.kind->name == kind; });
+  return found == plan.rows().end() ? nullptr : &*found;
+}
+
 // A study of layers that are built on the same one: inputs are the layers below and, by their labels, the
-// layers.
+// layers; and a flat baseline, as flat_arcs, where there is one to compare with.
 void add_comparison(Plan& plan, const std::string& stage, const std::vector<std::string>& names,
-                    const char* key, const nlohmann::json& settings) {
+                    const char* key, const nlohmann::json& settings, const LayerRow* flat = nullptr) {
   if (names.empty()) return;
   const LayerRow& first = plan.layer(names.front(), key);
   for (const std::string& name : names)
@@ -25,6 +32,7 @@ void add_comparison(Plan& plan, const std::string& stage, const std::vector<std:
   for (int r = 0; r < plan.replications(first); ++r) {
     Inputs inputs = plan.inputs("below", plan.stack(first.below), r);
     for (const std::string& name : names) inputs.emplace_back(label(name), numbered(name, r));
+    if (flat) inputs.emplace_back("flat_arcs", numbered(flat->name, r));
     plan.add(stage, stage, r, with(plan.run(r), settings), inputs);
   }
 }
@@ -94,7 +102,7 @@ void plan_studies(Plan& plan) {
   const Profile& p = plan.profile();
   add_comparison(plan, "accuracy", p.accuracy.layers, "accuracy.layers", {{"requests", p.accuracy.requests}});
   add_comparison(plan, "arc_quality", p.arc_quality.layers, "arc_quality.layers",
-                 {{"fresh_starts", p.arc_quality.fresh_starts}});
+                 {{"fresh_starts", p.arc_quality.fresh_starts}}, first_of(plan, "flat_arcs"));
   plan_substitution(plan);
   plan_searches(plan);
   plan_digits(plan);

@@ -66,9 +66,8 @@ void write_layer_errors(hbr::Hdf5Writer& file, const TransferSlice& s, hbr::Seed
   file.write("lines/displacement", {n_lines, starts}, line.displacement.data());
 
   const auto [arm_arcs, robot_arcs] = sides(arcs);
-  const hbr::ArcErrors arc = arc_errors(arm.stack.model(arcs).frame(), of_arcs, arm_arcs, robot_arcs,
-                                        hbr::arc_outcome(arm.stack.model(arcs)).centre(), s.transfer.starts,
-                                        seed.child("arcs"), workers);
+  const hbr::ArcErrors arc = arc_errors(arm.stack.model(arcs), of_arcs, arm_arcs, robot_arcs,
+                                        s.transfer.starts, seed.child("arcs"), workers);
   const auto n_arcs = static_cast<std::size_t>(of_arcs.rows());
   file.write("arcs/end", {n_arcs, starts}, arc.end.data());
   file.write("arcs/centre", {n_arcs, starts}, arc.centre.data());

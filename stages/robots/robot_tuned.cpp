@@ -50,10 +50,8 @@ void write_strokes(Hdf5Writer& file, const std::string& state, const TunedSlice&
                                       side(robot, lines), s.transfer.starts, seed.child("lines"), workers);
   write("line", line.promise);
   write("line_from_arm", line.displacement);
-  const LayerModel& model = arm.stack.model(arcs);
-  const ArcErrors arc =
-      arc_errors(model.frame(), of_arcs, side(arm, arcs), side(robot, arcs), arc_outcome(model).centre(),
-                 s.transfer.starts, seed.child("arcs"), workers);
+  const ArcErrors arc = arc_errors(arm.stack.model(arcs), of_arcs, side(arm, arcs), side(robot, arcs),
+                                   s.transfer.starts, seed.child("arcs"), workers);
   write("arc_centre", arc.promised_centre);
   write("arc_centre_from_arm", arc.centre);
   write("arc_length", arc.promised_length);
@@ -65,8 +63,7 @@ void write_arc_fitness(Hdf5Writer& file, const std::string& state, int starts, S
                        const StackOnBody& robot, Workers& workers) {
   const int arcs = robot.level("arcs");
   const LayerModel& model = robot.stack.model(arcs);
-  const Executor executor(robot.stack.points(), robot.stack.layer(arcs - 1), model.executor()->decoder(),
-                          starts, {});
+  const Executor executor = model.executor()->repeated(starts);
   const SampledEvaluator evaluator(executor, arc_outcome(model));
   const Elites& elites = robot.elites[arcs];
   std::vector<float> fitness(static_cast<std::size_t>(elites.size()));

@@ -1,8 +1,8 @@
-// The stored arcs executed again from fresh starts: what a stored fitness is worth. A search that sees one
-// sample keeps lucky draws.
+// The stored arcs executed again from fresh starts: what a stored fitness is worth, and what it is made of. A
+// search that sees one sample keeps lucky draws.
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
-#include "pipeline/hierarchy/layers/arcs.h"
+#include "pipeline/hierarchy/layers/flat_arcs.h"
 #include "stages/layers/read_stack.h"
 
 namespace hbr {
@@ -18,6 +18,53 @@ void describe(Fields& f, ArcQualitySlice& s) {
            "starts from which every stored arc is executed again");
 }
 
+// Of every stored arc, each the mean over its executions.
+struct Fresh {
+  std::vector<float> fitness, irregularity, joint_term;
+  explicit Fresh(Eigen::Index n) : fitness(n), irregularity(n), joint_term(n) {}
+  void set(std::size_t i, double irregular, double joints) {
+    irregularity[i] = static_cast<float>(irregular);
+    joint_term[i] = static_cast<float>(joints);
+    fitness[i] = static_cast<float>(-(irregular + joints));
+  }
+};
+
+void execute(const StoredLayer& arcs, std::size_t begin, std::size_t end, int starts, Seed seed,
+             Fresh& fresh) {
+  const ArcOutcome& outcome = arc_outcome(*arcs.model);
+  const Executor executor = arcs.model->executor()->repeated(starts);
+  const SampledEvaluator evaluator(executor, outcome);
+  evaluator.visit_executions(arcs.elites.solution, static_cast<Eigen::Index>(begin),
+                             static_cast<Eigen::Index>(end), seed,
+                             [&](const Executions& executions, Eigen::Index row, int first) {
+                               double irregular = 0, joints = 0;
+                               for (int s = first; s < first + starts; ++s) {
+                                 irregular += outcome.irregularity_of(executions, s) / starts;
+                                 joints += outcome.joint_cost(executions, s) / starts;
+                               }
+                               fresh.set(static_cast<std::size_t>(row), irregular, joints);
+                             });
+}
+
+// A flat arc does the same every time, unless it begins anywhere.
+void execute_flat(const StoredLayer& arcs, std::size_t begin, std::size_t end, int starts, Seed seed,
+                  Fresh& fresh) {
+  const FlatArcEvaluator& evaluator = flat_arc_evaluator(*arcs.model);
+  const int executions = evaluator.deterministic() ? 1 : starts;
+  std::vector<float> irregular(end - begin), joint(end - begin);
+  std::vector<double> irregular_sum(end - begin), joint_sum(end - begin);
+  for (int s = 0; s < executions; ++s) {
+    evaluator.terms(arcs.elites.solution, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end),
+                    seed.child(static_cast<std::uint64_t>(s)), irregular.data(), joint.data());
+    for (std::size_t i = 0; i < irregular.size(); ++i) {
+      irregular_sum[i] += irregular[i];
+      joint_sum[i] += joint[i];
+    }
+  }
+  for (std::size_t i = 0; i < irregular.size(); ++i)
+    fresh.set(begin + i, irregular_sum[i] / executions, joint_sum[i] / executions);
+}
+
 // All inputs but the layers below are repertoires of arcs.
 void run(StageRun& stage) {
   const auto s = stage.settings_as<ArcQualitySlice>();
@@ -28,18 +75,18 @@ void run(StageRun& stage) {
   stage.write_settings(file);
   for (const std::string& input : stage.inputs()) {
     if (input.starts_with("below")) continue;
-    const StoredLayer arcs = read_layer(stage, input, below);
-    const Executor executor(below.stack.points(), below.stack.top(), arcs.model->executor()->decoder(),
-                            s.fresh_starts, {});
-    const SampledEvaluator evaluator(executor, *arcs.model->sampled_outcome());
-    std::vector<float> fresh(arcs.elites.size());
-    workers.for_ranges(fresh.size(), 16, [&](std::size_t begin, std::size_t end) {
-      evaluator.mean_fitness(arcs.elites.solution, static_cast<Eigen::Index>(begin),
-                             static_cast<Eigen::Index>(end), seed.child(input), &fresh[begin]);
+    StackOnBody none;
+    const bool flat = input.starts_with("flat");
+    const StoredLayer arcs = read_layer(stage, input, flat ? none : below);
+    Fresh fresh(arcs.elites.size());
+    workers.for_ranges(fresh.fitness.size(), 16, [&](std::size_t begin, std::size_t end) {
+      (flat ? execute_flat : execute)(arcs, begin, end, s.fresh_starts, seed.child(input), fresh);
     });
     file.write(input + "/id", arcs.elites.id);
-    file.write(input + "/stored", {fresh.size()}, arcs.elites.objective.data());
-    file.write(input + "/fresh", fresh);
+    file.write(input + "/stored", {fresh.fitness.size()}, arcs.elites.objective.data());
+    file.write(input + "/fresh", fresh.fitness);
+    file.write(input + "/irregularity", fresh.irregularity);
+    file.write(input + "/joint_term", fresh.joint_term);
   }
   file.close();
 }

@@ -19,7 +19,7 @@ void perform(const Side& side, const Rows& commands, int starts, Executions& exe
 // Calls compare(at, command, original, other, execution) for every command and start; `at` is the place among
 // the results, `execution` that in both batches.
 template <class Compare>
-void for_starts(const Rows& commands, const Side& original, const Side& other, int starts, Seed seed,
+void for_starts(const Rows& commands, const Side& original, const Side& other, Way way, int starts, Seed seed,
                 Workers& workers, Compare&& compare) {
   const auto elites = static_cast<std::uint32_t>(original.points.size());
   workers.for_ranges(commands.rows(), 16, [&](std::size_t begin, std::size_t end) {
@@ -35,10 +35,10 @@ void for_starts(const Rows& commands, const Side& original, const Side& other, i
     const Rows asked =
         commands.middleRows(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end - begin));
     Executions drawn, drawn_by_other;
-    drawn.begin(original.points, n);
+    drawn.begin(original.points, n, way);
     drawn.move(drawn.all(), from.data());
     perform(original, asked, starts, drawn);
-    drawn_by_other.begin(other.points, n);
+    drawn_by_other.begin(other.points, n, way);
     drawn_by_other.move(drawn_by_other.all(), other_from.data());
     perform(other, asked, starts, drawn_by_other);
     for (int e = 0; e < n; ++e)
@@ -63,7 +63,7 @@ LineErrors line_errors(const Frame& frame, const Rows& commands, const Side& ori
                        int starts, Seed seed, Workers& workers) {
   const auto n = static_cast<std::size_t>(commands.rows() * starts);
   LineErrors errors{std::vector<float>(n), std::vector<float>(n), std::vector<float>(n)};
-  for_starts(commands, original, other, starts, seed, workers,
+  for_starts(commands, original, other, {}, starts, seed, workers,
              [&](std::size_t at, Eigen::Index i, const Executions& drawn, const Executions& by_other, int e) {
                const Eigen::Vector2d end = stop(drawn, 1, e), other_end = stop(by_other, 1, e),
                                      v = end - stop(drawn, 0, e), other_v = other_end - stop(by_other, 0, e),
@@ -75,15 +75,17 @@ LineErrors line_errors(const Frame& frame, const Rows& commands, const Side& ori
   return errors;
 }
 
-ArcErrors arc_errors(const Frame& frame, const Rows& commands, const Side& original, const Side& other,
-                     ArcCentre centre, int starts, Seed seed, Workers& workers) {
+ArcErrors arc_errors(const LayerModel& arcs, const Rows& commands, const Side& original, const Side& other,
+                     int starts, Seed seed, Workers& workers) {
+  const Frame& frame = arcs.frame();
+  const ArcCentre centre = arc_outcome(arcs).centre();
   const auto n = static_cast<std::size_t>(commands.rows() * starts);
   ArcErrors errors;
   for (std::vector<float>* error :
        {&errors.end, &errors.centre, &errors.length, &errors.promised_centre, &errors.promised_length})
     error->resize(n);
   const double farthest = frame.half_side;
-  for_starts(commands, original, other, starts, seed, workers,
+  for_starts(commands, original, other, arcs.executor()->way(), starts, seed, workers,
              [&](std::size_t at, Eigen::Index i, const Executions& drawn, const Executions& by_other, int e) {
                const ArcPoints path = arc_of(drawn, e), other_path = arc_of(by_other, e);
                const ArcShape shape = arc_shape(path, centre), other_shape = arc_shape(other_path, centre);

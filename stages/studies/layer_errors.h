@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pipeline/core/parallel.h"
-#include "pipeline/hierarchy/layers/arc_geometry.h"
+#include "pipeline/hierarchy/layers/arcs.h"
 #include "pipeline/hierarchy/stack.h"
 
 namespace hbr {
@@ -32,10 +32,10 @@ struct ArcErrors {
 
 // Both sides are asked for each of these descriptors [n x d], which promise what is drawn. Start s of command
 // i is an elite of the original's points drawn uniformly from seed.child(i); the other starts from its elite
-// nearest to the place.
+// nearest to the place. Arcs are executed as their layer says.
 LineErrors line_errors(const Frame& frame, const Rows& commands, const Side& original, const Side& other,
                        int starts, Seed seed, Workers& workers);
-ArcErrors arc_errors(const Frame& frame, const Rows& commands, const Side& original, const Side& other,
-                     ArcCentre centre, int starts, Seed seed, Workers& workers);
+ArcErrors arc_errors(const LayerModel& arcs, const Rows& commands, const Side& original, const Side& other,
+                     int starts, Seed seed, Workers& workers);
 
 }  // namespace hbr

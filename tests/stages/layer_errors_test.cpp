@@ -43,7 +43,7 @@ TEST_F(LayerErrors, OfLinesAreThoseOfEveryExecution) {
 
 TEST_F(LayerErrors, OfArcsAreThoseOfEveryExecution) {
   const Rows commands = this->commands(30, 3);
-  const ArcErrors errors = arc_errors(kFrame, commands, original_.side(2), other_.side(2), ArcCentre::kCircle,
+  const ArcErrors errors = arc_errors(original_.stack.model(2), commands, original_.side(2), other_.side(2),
                                       kStarts, seed_, workers_);
   ASSERT_EQ(errors.centre.size(), 30u * kStarts);
   for (int i = 0; i < 30; ++i) {
@@ -78,8 +78,8 @@ TEST_F(LayerErrors, OverTheSameLayerThereAreNone) {
   const LineErrors lines =
       line_errors(kFrame, commands(5, 2), original_.side(1), original_.side(1), 50, seed_, workers_);
   for (const float error : lines.end) EXPECT_EQ(error, 0);
-  const ArcErrors arcs = arc_errors(kFrame, commands(5, 3), original_.side(2), original_.side(2),
-                                    ArcCentre::kCircle, 50, seed_, workers_);
+  const ArcErrors arcs = arc_errors(original_.stack.model(2), commands(5, 3), original_.side(2),
+                                    original_.side(2), 50, seed_, workers_);
   for (const float error : arcs.centre) EXPECT_EQ(error, 0);
 }
 

@@ -153,6 +153,8 @@ class SyntheticExperiment : public SyntheticRobots {
           std::tuple{"b", -0.6, -0.8}, std::tuple{"flat", -1.9, -1.9}}) {
       values("arc_quality", std::string(name) + "/stored", stored, 50);
       values("arc_quality", std::string(name) + "/fresh", fresh, 50);
+      values("arc_quality", std::string(name) + "/irregularity", -fresh / 2, 50);
+      values("arc_quality", std::string(name) + "/joint_term", -fresh / 2, 50);
     }
     write_values();
     substitution({-1.29, -0.06, -0.56}, {-1.33, -0.28, -0.003}, 60);

@@ -1,5 +1,6 @@
 #include "pipeline/hierarchy/layers/flat_arcs.h"
 
+#include "pipeline/core/check.h"
 #include "pipeline/hierarchy/layers/flat_model.h"
 
 namespace hbr {
@@ -8,14 +9,16 @@ FlatArcEvaluator::FlatArcEvaluator(const Robot& robot, const Frame& frame, FlatS
                                    ArcReading reading)
     : robot_(robot), frame_(frame), start_(start), reading_(reading) {}
 
-void FlatArcEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const {
+template <class Measured>
+void FlatArcEvaluator::measure(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
+                               Measured&& measured) const {
   constexpr int kStops = kArcSegments + 1;  // the start and five way-points
   const Eigen::Index dof = robot_.dof(), n = end - begin;
   std::vector<double> joints(n * kStops * dof);
   std::vector<Pen> pens(n * kStops);
   std::vector<float> start(dof, 0.5f);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const float* genome = batch.genome.row(begin + i).data();
+    const float* genome = genomes.row(begin + i).data();
     double* at = &joints[i * kStops * dof];
     if (start_ == FlatStart::kRandom) {
       Rng rng(seed.child(begin + i));
@@ -37,11 +40,33 @@ void FlatArcEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index e
       for (int w = 0; w < kArcSegments; ++w) cost += joint_variance(waypoints + w * dof, dof) / kArcSegments;
     const std::span<const Eigen::Vector2d> drawn =
         std::span<const Eigen::Vector2d>(stops).subspan(start_ == FlatStart::kFirst ? 1 : 0);
-    batch.descriptor.row(begin + i) =
-        arc_descriptor(frame_, arc_shape(drawn, reading_.centre)).cast<float>().transpose();
-    batch.fitness[begin + i] = static_cast<float>(-(irregularity(drawn, reading_.turns) + cost));
-    batch.valid[begin + i] = 1;
+    measured(begin + i, drawn, irregularity(drawn, reading_.turns), cost);
   }
+}
+
+void FlatArcEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const {
+  measure(batch.genome, begin, end, seed,
+          [&](Eigen::Index row, std::span<const Eigen::Vector2d> drawn, double irregular, double cost) {
+            batch.descriptor.row(row) =
+                arc_descriptor(frame_, arc_shape(drawn, reading_.centre)).cast<float>().transpose();
+            batch.fitness[row] = static_cast<float>(-(irregular + cost));
+            batch.valid[row] = 1;
+          });
+}
+
+void FlatArcEvaluator::terms(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
+                             float* irregular_of, float* joint_of) const {
+  measure(genomes, begin, end, seed,
+          [&](Eigen::Index row, std::span<const Eigen::Vector2d>, double irregular, double cost) {
+            irregular_of[row - begin] = static_cast<float>(irregular);
+            joint_of[row - begin] = static_cast<float>(cost);
+          });
+}
+
+const FlatArcEvaluator& flat_arc_evaluator(const LayerModel& layer) {
+  const auto* evaluator = dynamic_cast<const FlatArcEvaluator*>(&layer.evaluator());
+  if (!evaluator) throw InputError("the layer is of another kind; expected flat arcs");
+  return *evaluator;
 }
 
 Coordinates configuration_coordinates(const Robot& robot) {

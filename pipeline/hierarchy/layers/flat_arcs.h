@@ -30,8 +30,16 @@ class FlatArcEvaluator final : public Evaluator {
   int descriptor_size() const override { return 3; }
   bool deterministic() const override { return start_ != FlatStart::kRandom; }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
+  // The terms of the fitness of rows [begin, end), positive: irregularity, and J.
+  void terms(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed, float* irregular,
+             float* joint) const;
 
  private:
+  // measured(row, the points drawn, their irregularity, J)
+  template <class Measured>
+  void measure(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
+               Measured&& measured) const;
+
   const Robot& robot_;
   Frame frame_;
   FlatStart start_;
@@ -40,6 +48,9 @@ class FlatArcEvaluator final : public Evaluator {
 
 // The genes of five configurations of all joints.
 Coordinates configuration_coordinates(const Robot& robot);
+
+// Throws InputError where the layer is of another kind.
+const FlatArcEvaluator& flat_arc_evaluator(const LayerModel& layer);
 
 std::unique_ptr<LayerModel> make_flat_arcs(const FlatArcsSettings& settings, const Surroundings& around);
 

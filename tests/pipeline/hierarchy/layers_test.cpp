@@ -244,6 +244,8 @@ TEST_F(Layers, AFlatArcIsFiveConfigurations) {
       Batch batch(20, evaluator.genes(), 3);
       batch.genome = Rows::NullaryExpr(20, 40, [&] { return rng.uniform(); });
       evaluator.evaluate(batch, 0, 20, Seed(31));
+      std::vector<float> irregular(20), joint(20);
+      evaluator.terms(batch.genome, 0, 20, Seed(31), irregular.data(), joint.data());
       for (int i = 0; i < 20; ++i) {
         const auto configuration = [&](const Eigen::RowVectorXf& genes) {
           return Eigen::VectorXd((genes.transpose().cast<double>().array() - 0.5) * std::numbers::pi);
@@ -272,6 +274,8 @@ TEST_F(Layers, AFlatArcIsFiveConfigurations) {
         const Eigen::Vector3d d = arc_descriptor(kFrame, arc_shape(drawn, reading.centre));
         EXPECT_LT((batch.descriptor.row(i).transpose().cast<double>() - d).norm(), 1e-6);
         EXPECT_NEAR(batch.fitness[i], -(irregularity(drawn) + cost), 1e-4);
+        EXPECT_NEAR(irregular[i], irregularity(drawn), 1e-4);
+        EXPECT_NEAR(joint[i], cost, 1e-5);
       }
     }
 }
