@@ -1,6 +1,8 @@
 #include "pipeline/statistics/inference.h"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
 #include <numeric>
 
 #include "pipeline/core/check.h"
@@ -38,6 +40,14 @@ Interval bootstrap(std::span<const double> a, std::span<const double> b, const E
   std::ranges::sort(effects);
   const double tail = (1 - kConfidence) / 2;
   return {quantile(effects, tail), quantile(effects, 1 - tail)};
+}
+
+std::optional<int> replications_to_tell(double a12, double level) {
+  if (a12 == 0.5) return {};
+  const boost::math::normal standard;
+  const double z = quantile(complement(standard, level / 2)) + quantile(standard, kPower);
+  // Of both samples together z^2 / (12 c (1 - c) (A12 - 1/2)^2), c = 1/2 the share of one of them.
+  return static_cast<int>(std::ceil(z * z / (6 * std::pow(a12 - 0.5, 2))));
 }
 
 }  // namespace hbr

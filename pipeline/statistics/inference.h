@@ -1,8 +1,9 @@
-// What many tests and few replications leave uncertain: p-values of tests that are read together, and
-// confidence intervals of effect sizes.
+// What many tests and few replications leave uncertain: p-values of tests that are read together, confidence
+// intervals of effect sizes, and how many replications would tell.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -26,5 +27,11 @@ inline constexpr int kResamples = 2000;
 using Effect = std::function<double(std::span<const double>, std::span<const double>)>;
 Interval bootstrap(std::span<const double> a, std::span<const double> b, const Effect& effect,
                    std::string_view name);
+
+inline constexpr double kPower = 0.8;
+
+// Replications of each of two samples with which a rank-sum test at `level` tells their difference with a
+// chance of kPower, were the effect size A12 what it seems to be (Noether 1987); nothing where that is 1/2.
+std::optional<int> replications_to_tell(double a12, double level);
 
 }  // namespace hbr

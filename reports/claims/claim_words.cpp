@@ -114,7 +114,8 @@ std::optional<double> shown_p(const Measured& m) {
 std::string check_ours(const Check& check, const Measured& m) {
   if (m.outcome == CheckOutcome::absent) return fmt::format("this run has no {}", m.absent);
   const std::string n = replications(m);
-  return figures(check, m) + (n.empty() ? "" : ", " + n);
+  const std::string more = m.would_tell ? fmt::format(" (about {} might tell)", *m.would_tell) : "";
+  return figures(check, m) + (n.empty() ? "" : ", " + n + more);
 }
 
 std::string check_asked(const Check& check, const Measured& m) {

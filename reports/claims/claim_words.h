@@ -27,6 +27,8 @@ struct Measured {
   std::optional<double> x, p, a12;
   std::optional<double> p_together;  // p, adjusted for the tests of all claims, which are read together
   std::optional<Interval> interval;  // of x, at kConfidence
+  // Of a test that does not decide though x is as asked: with how many replications it might.
+  std::optional<int> would_tell;
 };
 
 struct NeedFound {

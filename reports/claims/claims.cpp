@@ -99,7 +99,10 @@ std::vector<std::vector<Measured>> measured_claims(const std::vector<Claim>& cla
     for (std::size_t k = 0; k < claims[c].checks.size(); ++k) {
       Measured& m = all[c][k];
       if (tested(claims[c].checks[k], m)) m.p_together = *next++;
-      m.outcome = outcome_of(claims[c].checks[k], m, p.size());
+      const Check& check = claims[c].checks[k];
+      m.outcome = outcome_of(check, m, p.size());
+      if (m.p_together && within(*m.x, check.reproduced) && m.outcome != CheckOutcome::yes)
+        m.would_tell = replications_to_tell(*m.a12, check.p_below / static_cast<double>(p.size()));
     }
   return all;
 }
@@ -158,6 +161,7 @@ json check_json(const Check& check, const Measured& m) {
   if (const auto p = shown_p(m)) result["p"] = *p;
   if (m.p && m.p_together && shown_p(m)) result["p_alone"] = *m.p;
   if (m.a12) result["a12"] = *m.a12;
+  if (m.would_tell) result["would_tell"] = *m.would_tell;
   if (m.interval) result["interval"] = {m.interval->low, m.interval->high};
   return result;
 }

@@ -18,12 +18,13 @@ namespace hbr {
 //   reason      what is too small, and how many checks hold
 //   sources     names of the statistics used
 //   checks      [{words, kind, of, to, reproduced, partly, p_below, asked, ours, x, figure, p, p_alone, a12,
-//               interval, outcome}]:
+//               would_tell, interval, outcome}]:
 //               asked and ours say in words when it counts as reproduced and what was found; outcome is
 //               "yes", "partly", "no" or "absent"; x, figure (x in its unit), p (of kFewestToTest
 //               replications and more), a12 and interval (of x at kConfidence, by bootstrap) where there are
 //               such; infinite ends are null. Where p decides it is adjusted for the tests of all claims
-//               (inference.h), and p_alone is what it was
+//               (inference.h), and p_alone is what it was; would_tell, where x is as asked and p is not, says
+//               how many replications of each might decide, were the effect what it seems to be
 //   needs       [{of, at_least, found, met}], found is null where the statistic is absent
 //
 // Throws InputError where the file or the statistics are not as described.

@@ -7,6 +7,7 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
+#include "pipeline/statistics/rank_sum.h"
 
 namespace hbr {
 namespace {
@@ -35,6 +36,29 @@ TEST(AdjustedTogether, HoldsItsLevelInAFamily) {
     told += *std::ranges::min_element(adjusted) < 0.05;
   }
   EXPECT_NEAR(told, 0.05 * kFamilies, 5 * std::sqrt(0.05 * 0.95 * kFamilies));
+}
+
+// Samples of two normal distributions of which one's values are greater with a chance of 0.71.
+TEST(ReplicationsToTell, AreEnoughFourTimesOfFive) {
+  EXPECT_EQ(replications_to_tell(0.71, 0.05), 30);  // (1.960 + 0.842)^2 / (6 * 0.21^2) = 29.7
+  EXPECT_EQ(replications_to_tell(0.29, 0.05), 30);
+  EXPECT_GT(replications_to_tell(0.71, 0.001).value(), 60);
+  EXPECT_FALSE(replications_to_tell(0.5, 0.05));
+  Rng rng(Seed(43));
+  const auto normal = [&](double mean) {
+    double sum = -6;
+    for (int i = 0; i < 12; ++i) sum += rng.uniform_double();
+    return mean + sum;
+  };
+  int told = 0;
+  constexpr int kTrials = 1500;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::vector<double> a(30), b(30);
+    for (double& x : a) x = normal(0.7826);  // the 0.71-quantile times the square root of two
+    for (double& x : b) x = normal(0);
+    told += rank_sum(a, b).p < 0.05;
+  }
+  EXPECT_NEAR(told / static_cast<double>(kTrials), kPower, 0.04);
 }
 
 double mean_of(std::span<const double> values) {

@@ -49,6 +49,12 @@ TEST(ClaimsReadTogether, NeedMoreEvidenceTheMoreTheyAre) {
       EXPECT_DOUBLE_EQ(check["p_alone"].get<double>(), alone);
       EXPECT_DOUBLE_EQ(check["p"].get<double>(), std::min(1.0, count * alone));
       EXPECT_EQ(claim["verdict"], count * alone < 0.05 ? "reproduced" : "partly") << count;
+      // (2.865 + 0.842)^2 / (6 * 0.31^2) = 23.8 of each at a twelfth of the level, with an A12 of 0.81.
+      EXPECT_EQ(check.contains("would_tell"), count == 12);
+      if (count == 12) {
+        EXPECT_EQ(check["would_tell"], 24);
+        EXPECT_THAT(check["ours"].get<std::string>(), testing::HasSubstr("n = 10 (about 24 might tell)"));
+      }
     }
   }
 }
