@@ -32,7 +32,9 @@ std::string figures(const Check& check, const Measured& m) {
   const std::string pair = fmt::format("{} against {}", format_quantity(m.of.median, m.of.unit),
                                        format_quantity(m.to.median, m.to.unit));
   const auto tested = shown_p(m);
-  const std::string p = tested && check.p_below < 1 ? ", p = " + format_p(*tested) : "";
+  const std::string p = !tested || check.p_below >= 1
+                            ? ""
+                            : ", p = " + format_p(*tested) + (m.least_p ? ", the least for so few" : "");
   const std::string interval =
       m.interval ? fmt::format(" [{}; {}]", format_number(m.interval->low), format_number(m.interval->high))
                  : "";
@@ -108,7 +110,7 @@ const char* outcome_name(CheckOutcome outcome) {
 
 std::optional<double> shown_p(const Measured& m) {
   if (std::min(m.of.values.size(), m.to.values.size()) < kFewestToTest) return {};
-  return m.p_together ? m.p_together : m.p;
+  return m.p_together && !m.least_p ? m.p_together : m.p;
 }
 
 std::string check_ours(const Check& check, const Measured& m) {

@@ -26,6 +26,8 @@ struct Measured {
   Statistic of, to;
   std::optional<double> x, p, a12;
   std::optional<double> p_together;  // p, adjusted for the tests of all claims, which are read together
+  // Whether p is the least that so few replications can give, which no adjustment could make small enough.
+  bool least_p = false;
   std::optional<Interval> interval;  // of x, at kConfidence
   // Of a test that does not decide though x is as asked: with how many replications it might.
   std::optional<int> would_tell;
@@ -38,8 +40,8 @@ struct NeedFound {
   bool met = false;
 };
 
-// The p-value that decides, adjusted for all tests that do, where there are kFewestToTest replications of
-// both.
+// The p-value that decides, adjusted for all tests that do unless it is the least that there can be, where
+// there are kFewestToTest replications of both.
 std::optional<double> shown_p(const Measured& measured);
 // What was found, with the replications: "325 times (50 000 elites against 154), n = 50"; or what is missing.
 std::string check_ours(const Check& check, const Measured& measured);

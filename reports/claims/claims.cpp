@@ -21,13 +21,15 @@ bool within(double x, const std::vector<double>& range) { return x >= range[0] &
 
 bool tested(const Check& check, const Measured& m) { return check.p_below < 1 && m.p; }
 
-// So few replications can't give a smaller p than the test's floor for them, were it the least of all tests.
-bool significant(const Check& check, const Measured& m, std::size_t tests) {
-  if (check.p_below >= 1) return true;
-  if (!m.p) return false;
+// So few replications can't give a smaller p, and it would not be small enough were it the least of all
+// tests.
+bool least_possible(const Check& check, const Measured& m, std::size_t tests) {
   const double floor = least_p(m.of.values.size(), m.to.values.size());
-  return *m.p_together < check.p_below ||
-         (floor * static_cast<double>(tests) >= check.p_below && *m.p <= floor * (1 + 1e-12));
+  return floor * static_cast<double>(tests) >= check.p_below && *m.p <= floor * (1 + 1e-12);
+}
+
+bool significant(const Check& check, const Measured& m) {
+  return check.p_below >= 1 || (m.p && (*m.p_together < check.p_below || m.least_p));
 }
 
 // Of x, where there are replications enough to draw from.
@@ -74,10 +76,9 @@ Measured measure(const Check& check, const StatisticsReader& statistics) {
   return m;
 }
 
-CheckOutcome outcome_of(const Check& check, const Measured& m, std::size_t tests) {
+CheckOutcome outcome_of(const Check& check, const Measured& m) {
   if (!m.x) return CheckOutcome::absent;
-  if (within(*m.x, check.reproduced))
-    return significant(check, m, tests) ? CheckOutcome::yes : CheckOutcome::partly;
+  if (within(*m.x, check.reproduced)) return significant(check, m) ? CheckOutcome::yes : CheckOutcome::partly;
   return within(*m.x, check.partly) ? CheckOutcome::partly : CheckOutcome::no;
 }
 
@@ -98,9 +99,12 @@ std::vector<std::vector<Measured>> measured_claims(const std::vector<Claim>& cla
   for (std::size_t c = 0; c < claims.size(); ++c)
     for (std::size_t k = 0; k < claims[c].checks.size(); ++k) {
       Measured& m = all[c][k];
-      if (tested(claims[c].checks[k], m)) m.p_together = *next++;
       const Check& check = claims[c].checks[k];
-      m.outcome = outcome_of(check, m, p.size());
+      if (tested(check, m)) {
+        m.p_together = *next++;
+        m.least_p = least_possible(check, m, p.size());
+      }
+      m.outcome = outcome_of(check, m);
       if (m.p_together && within(*m.x, check.reproduced) && m.outcome != CheckOutcome::yes)
         m.would_tell = replications_to_tell(*m.a12, check.p_below / static_cast<double>(p.size()));
     }

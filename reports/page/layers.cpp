@@ -112,6 +112,7 @@ std::string layers_table(const std::vector<LayerOfProfile>& layers, const Eviden
   std::set<std::string> names;
   for (const LayerOfProfile& layer : layers) names.insert(layer.name);
   std::vector<std::vector<std::string>> rows;
+  std::map<std::string, std::string> told;  // descriptor and fitness -> the first layer that has them
   for (const LayerOfProfile& layer : layers) {
     const std::string statistic = parse_artifact_name(layer.name + "/00.h5", names).prefix();
     const auto genes = evidence.statistics.number(statistic + ".genes");
@@ -125,6 +126,11 @@ std::string layers_table(const std::vector<LayerOfProfile>& layers, const Eviden
     if (const auto files = evidence.artifacts.replications(layer.name); !files.empty()) {
       descriptor = in_words(read_unit_columns(files[0], "measures"));
       fitness = escape_html(squares(read_value_meaning(files[0], "objective").meaning));
+    }
+    if (const auto [first, is_new] = told.emplace(descriptor + fitness, layer.name);
+        !is_new && fitness != "–") {
+      descriptor = fmt::format("as <code>{}</code>", escape_html(first->second));
+      fitness = descriptor;
     }
     rows.push_back({fmt::format("<code>{}</code>", escape_html(layer.name)), escape_html(layer.meaning),
                     layer.below.empty() ? "the joints"

@@ -27,7 +27,7 @@ class ElitePanel {
       this.heading, this.said, this.pictures, this.player.root, this.facts);
     this.more = element("section", { class: "elite more", "aria-label": "More of the elite" },
       element("div", {}, this.family, element("p", { class: "load" }, "In Python, with h5py:"), this.code, this.copy),
-      element("div", { class: "scroll" }, element("table", { class: "genome" }, element("caption", {}, "Genome"),
+      element("div", { class: "scroll", role: "region", tabindex: 0, "aria-label": "Genome" }, element("table", { class: "genome" }, element("caption", {}, "Genome"),
         element("thead", {}, element("tr", {}, ...head)), this.genes)));
   }
 

@@ -94,7 +94,7 @@ addEventListener("afterprint", () => { for (const fold of opened.splice(0)) fold
 
 // What scrolls within its box can be reached by the keyboard.
 const reach = () => {
-  for (const box of document.querySelectorAll(".scroll"))
+  for (const box of document.querySelectorAll(".scroll:not([role])"))
     if (box.scrollWidth > box.clientWidth) box.tabIndex = 0; else box.removeAttribute("tabindex");
 };
 addEventListener("resize", reach);

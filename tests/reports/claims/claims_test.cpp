@@ -128,7 +128,9 @@ TEST(Claims, EachCheckSaysWhatIsComparedAndNoPOfTwo) {
              three = evaluate_one(file, accuracies(3))["checks"][0];
   EXPECT_EQ(two["ours"], "2.41 times (10.2\u202fm² against 4.25\u202fm²), n = 2");
   EXPECT_FALSE(two.contains("p"));
-  EXPECT_EQ(three["ours"], "2.38 times [2.14; 2.67] (10.3\u202fm² against 4.33\u202fm², p = 0.10), n = 3");
+  EXPECT_EQ(
+      three["ours"],
+      "2.38 times [2.14; 2.67] (10.3\u202fm² against 4.33\u202fm², p = 0.10, the least for so few), n = 3");
   EXPECT_NEAR(three["p"].get<double>(), 2 / 20.0, 1e-12);
   EXPECT_EQ(three["asked"], "at least 2 times and p < 0.05");
 }
