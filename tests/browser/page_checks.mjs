@@ -1,7 +1,7 @@
 // The page as a whole.
 import assert from "node:assert/strict";
 
-const kMostBytes = 10e6;
+const kMostBytes = 10e6, kMostHeight = 16000;
 const sections = "[...document.querySelectorAll('main > section')]";
 
 export const pageChecks = [
@@ -52,6 +52,25 @@ export const pageChecks = [
       await page.evaluate(`document.querySelectorAll('.explorer-bar .filters button')[${k}].click()`);
       assert.ok(await page.evaluate("document.documentElement.scrollWidth <= innerWidth"), `view ${k}`);
     }
+  }],
+
+  // Or it can't be read without a pointer.
+  ["what scrolls within its box can be reached by the keyboard", async (page, { url }) => {
+    await page.size(390, 800);
+    await page.go(url, "!document.getElementById('explorer-app')?.hidden");
+    const boxes = await page.evaluate(`[...document.querySelectorAll("main *")].filter((box) =>
+      /auto|scroll/.test(getComputedStyle(box).overflow) && box.getBoundingClientRect().height > 0 &&
+      (box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight + 1)).map((box) =>
+      [box.className, box.tabIndex >= 0 || !!box.querySelector("a[href], button, input, select, summary")])`);
+    assert.ok(boxes.length > 3);
+    assert.deepEqual(boxes.filter(([, reached]) => !reached), []);
+  }],
+
+  // With all folds closed, as it is opened.
+  ["the page is not too long", async (page, { url }) => {
+    await page.go(url, "!document.getElementById('explorer-app')?.hidden");
+    const height = await page.evaluate("document.documentElement.scrollHeight");
+    assert.ok(height < kMostHeight, `${height} pixels`);
   }],
 
   ["without scripts the explorer says what it needs", async (page, { url }) => {
