@@ -94,6 +94,7 @@ help:
 	@echo 'Experiments'
 	@echo '  make all             the whole experiment; its report is OUT/report/index.html'
 	@echo '  make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
+	@echo '  make readings        combinations of readings against the paper (PROFILE=readings): OUT/readings.json'
 	@echo '  make status          what is fresh, stale or missing, and why'
 	@echo '  make audit           read every artifact again and compare it with its manifest'
 	@echo '  make graph           OUT/graph.svg: the stages and what they hand on'

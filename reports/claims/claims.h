@@ -23,9 +23,9 @@ namespace hbr {
 //               "yes", "partly", "no" or "absent"; x, figure (x in its unit), p (of kFewestToTest
 //               replications and more), a12 and interval (of x at kConfidence, by bootstrap) where there are
 //               such; infinite ends are null. Where p decides it is adjusted for the tests of all claims
-//               (inference.h) unless it is the least that so few replications can give, and p_alone is what it
-//               was; would_tell, where x is as asked and p is not, says
-//               how many replications of each might decide, were the effect what it seems to be
+//               (inference.h), unless it is the least that so few replications can give, and p_alone is what
+//               it was; would_tell, where x is as asked and p is not, says how many replications of each
+//               might decide, were the effect what it seems to be
 //   needs       [{of, at_least, found, met}], found is null where the statistic is absent
 //
 // Throws InputError where the file or the statistics are not as described.
