@@ -187,7 +187,7 @@ FactorialAnalysis analyse_factorial(const std::vector<int>& levels, const std::v
   const auto add = [&](const std::vector<int>& factors) {
     columns.push_back(columns_of(factors, levels, runs));
     parameters += columns.back().cols();
-    analysis.terms.push_back({factors, 0, 0, {}});
+    analysis.terms.emplace_back().factors = factors;
   };
   const int count = static_cast<int>(levels.size());
   for (int f = 0; f < count; ++f) add({f});

@@ -1,6 +1,7 @@
 #include "pipeline/hierarchy/layers/digits.h"
 
 #include "pipeline/core/check.h"
+#include "pipeline/hierarchy/layers/arc_geometry.h"
 #include "pipeline/hierarchy/layers/image_outcome.h"
 #include "pipeline/hierarchy/stack.h"
 
