@@ -7,6 +7,8 @@
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "pipeline/hierarchy/layers/lines.h"
 #include "pipeline/hierarchy/layers/points.h"
+#include "pipeline/hierarchy/stack.h"
+#include "stages/studies/layer_errors.h"
 
 namespace hbr {
 
