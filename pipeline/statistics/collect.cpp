@@ -17,6 +17,8 @@ Split split_last(const std::string& name) {
 
 std::string first_word(const std::string& name) { return name.substr(0, name.find('.')); }
 
+bool of_digits(const std::string& head) { return head == "digit_verdicts" || head == "digit_turns"; }
+
 // Subjects of one family are compared with each other by every measure they share.
 std::string family(const Split& name) {
   const std::string head = first_word(name.subject);
@@ -28,7 +30,7 @@ std::string family(const Split& name) {
   if (head == "layer3" || head == "flat_arcs") return "arcs";
   if (head == "layer4" || head == "flat_digits") return "drawings";
   if (head == "accuracy") return "accuracy";
-  if (head == "digit_verdicts") return head;
+  if (of_digits(head)) return head;
   if (head == "substitution") return name.subject;
   if (head == "tuned") {  // gains with those of other robots, all else with the same robot's
     const std::size_t state = name.subject.rfind('.');
@@ -51,10 +53,9 @@ void add_tests(StatisticsTable& table) {
     for (std::size_t j = i + 1; j < names.size(); ++j) {
       const Split b = split_last(names[j]);
       // Of accuracies and substitutions the last word is whose it is; of digits the second.
-      const bool comparable =
-          family(a) == "accuracy" || first_word(a.subject) == "substitution" ||
-          (family(a) == "digit_verdicts" ? what_of_digits(names[i]) == what_of_digits(names[j])
-                                         : a.measure == b.measure);
+      const bool comparable = family(a) == "accuracy" || first_word(a.subject) == "substitution" ||
+                              (of_digits(family(a)) ? what_of_digits(names[i]) == what_of_digits(names[j])
+                                                    : a.measure == b.measure);
       if (family(a) == family(b) && comparable) table.test(names[i], names[j]);
     }
   }
@@ -80,6 +81,8 @@ nlohmann::json collect_statistics(const std::string& profile,
   read_arc_quality(artifacts["arc_quality"], layers, table);
   read_substitution(artifacts["substitution"], table);
   read_digits(artifacts["digit_verdicts"], table);
+  read_turns(artifacts["digit_turns"], table);
+  read_confusion(artifacts["autoencoder"], artifacts["digit_verdicts"], table);
   read_numbers(artifacts["numbers"], table);
   read_transfer(artifacts["transfer"], table);
   read_dynamics(artifacts["dynamics"], table);

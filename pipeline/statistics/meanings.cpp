@@ -17,6 +17,9 @@ constexpr std::array kOfSearch = {
     Entry{"equal_size", "elites", "{}: elites at equal generations"},
     Entry{"equal_best", "fitness", "{}: best fitness at equal generations"},
     Entry{"equal_mean", "fitness", "{}: mean fitness at equal generations"},
+    Entry{"replaced", "",
+          "{}: share of the elites held at half of its generations that others replaced later"},
+    Entry{"late_gain", "fitness", "{}: what its mean fitness gains in the second half of its generations"},
     Entry{"covering_generations", "generations",
           "{}: generations until 90 % of its size at equal generations is reached"},
     Entry{"generations", "generations", "{}: generations of the search"},
@@ -48,6 +51,34 @@ constexpr std::array kOfDigits = {
     Entry{"reach", "", "{}: greatest absolute latent coordinate"},
     Entry{"neighbour_difference", "", "{}: mean pixel difference between an image and its latent neighbour"},
     Entry{"pair_difference", "", "{}: mean pixel difference between any two images"},
+};
+
+// Of a drawing's strokes: turns without their sense, in degrees; and numbers that have an interval (_low,
+// _high).
+constexpr std::array kOfTurns = {
+    Entry{"turn", "°", "{}: mean turn from one segment to the next, a digit's mean, then over the digits"},
+    Entry{"within", "°", "{}: mean turn between segments, within an arc where there are arcs"},
+    Entry{"joints", "°", "{}: mean turn where one arc ends and the next begins"},
+    Entry{"curvature", "°", "{}: mean of what a digit turns on a way as long as the greater side of its box"},
+    Entry{"of_good", "°", "{}: mean turn of each digit that the judge calls good"},
+    Entry{"of_refused", "°", "{}: mean turn of each digit that the judge does not call good"},
+    Entry{"refused_turn_more", "",
+          "{}: the chance that a refused digit turns more sharply than a good one (A12)"},
+};
+
+constexpr std::array kOfAllTurns = {
+    Entry{"flat_turn_more", "",
+          "{}: the chance that a flat digit turns more sharply than one of the hierarchy (A12)"},
+};
+
+// Numbers of the digits that have an interval.
+constexpr std::array kOfClasses = {
+    Entry{"good_if_confused", "",
+          "{}: rank correlation over the ten classes of their share of the good digits with how often the "
+          "network takes them for others"},
+    Entry{"good_if_cut", "",
+          "{}: rank correlation over the ten classes of their share of the good digits with the share of "
+          "their images that the cut removed"},
 };
 
 constexpr std::array kSingle = {
@@ -112,6 +143,25 @@ std::optional<Meaning> of_search(const std::vector<std::string>& parts) {
   return make(*entry, layer + variant);
 }
 
+// A number with an interval: its ends have the words of its own.
+std::string without_end(const std::string& name) {
+  for (const std::string end : {"_low", "_high"})
+    if (name.ends_with(end)) return name.substr(0, name.size() - end.size());
+  return name;
+}
+
+std::optional<Meaning> of_turns(const std::vector<std::string>& parts) {
+  if (parts.size() != 2 && parts.size() != 3) return {};
+  const std::string word = without_end(parts.back());
+  const bool bound = word != parts.back();
+  const Entry* entry = parts.size() == 2 ? find_entry(kOfAllTurns, word) : find_entry(kOfTurns, word);
+  if (!entry || (bound && entry->unit[0])) return {};
+  Meaning meaning =
+      make(*entry, parts.size() == 2 ? "strokes of the digits" : "digits, " + variant_words(parts[1]));
+  if (bound) meaning.text += ", end of its 95 % interval";
+  return meaning;
+}
+
 std::optional<Meaning> of_digits(const std::vector<std::string>& parts) {
   if (parts.size() == 4 && is_number(parts[3]))
     for (const auto& [measure, which] :
@@ -119,9 +169,14 @@ std::optional<Meaning> of_digits(const std::vector<std::string>& parts) {
       if (parts[2] == measure)
         return Meaning{"images", fmt::format("digits, {}: {} that the judge takes for a {}",
                                              variant_words(parts[1]), which, parts[3])};
-  const Entry* entry = parts.size() == 3 ? find_entry(kOfDigits, parts[2]) : nullptr;
+  if (parts.size() != 3) return {};
+  const std::string subject = "digits, " + variant_words(parts[1]);
+  if (const Entry* entry = find_entry(kOfDigits, parts[2])) return make(*entry, subject);
+  const Entry* entry = find_entry(kOfClasses, without_end(parts[2]));
   if (!entry) return {};
-  return make(*entry, "digits, " + variant_words(parts[1]));
+  Meaning meaning = make(*entry, subject);
+  if (parts[2] != entry->name) meaning.text += ", end of its 95 % interval";
+  return meaning;
 }
 
 }  // namespace
@@ -133,6 +188,7 @@ std::optional<Meaning> meaning_of(const std::string& name) {
   if (auto meaning = of_search(parts)) return meaning;
   if (auto meaning = meaning_of_robots(parts)) return meaning;
   if (parts[0] == "digit_verdicts") return of_digits(parts);
+  if (parts[0] == "digit_turns") return of_turns(parts);
   if (parts[0] == "numbers") return of_numbers(parts);
   if (parts[0] == "accuracy" && parts.size() == 2)
     return Meaning{"m^2", fmt::format("accuracy, {}: median squared error of the requested lines",
@@ -140,8 +196,14 @@ std::optional<Meaning> meaning_of(const std::string& name) {
   if (parts[0] == "substitution" && parts.size() == 3 &&
       (parts[1] == "m1" || parts[1] == "m2" || parts[1] == "m3"))
     return Meaning{"fitness", fmt::format("M{} of the arcs, over the {} layer 1", parts[1][1], parts[2])};
-  if (parts[0] == "autoencoder" && parts.size() == 3 && parts[1] == "kept_of_class" && is_number(parts[2]))
-    return Meaning{"", fmt::format("autoencoder: share of the images of class {} kept by the cut", parts[2])};
+  if (parts[0] == "autoencoder" && parts.size() == 3 && is_number(parts[2]))
+    for (const auto& [measure, text] :
+         {std::pair{"kept_of_class", "autoencoder: share of the images of class {} kept by the cut"},
+          std::pair{"confused_of_class",
+                    "autoencoder: share of the test images of class {} whose nearest neighbour in the latent "
+                    "space is of another class"},
+          std::pair{"taken_for", "autoencoder: the other class that most neighbours of class {} are of"}})
+      if (parts[1] == measure) return Meaning{"", fmt::format(fmt::runtime(text), parts[2])};
   return {};
 }
 

@@ -36,6 +36,7 @@ constexpr std::array kHeads = {
     Head{"arc_quality", "arcs drawn again", false, false},
     Head{"substitution", "substitution of layer 1", false, false},
     Head{"digit_verdicts", "digits", false, false},
+    Head{"digit_turns", "strokes of the digits", false, false},
     Head{"surest_digits", "the arm at work", false, false},
     Head{"numbers", "numbers", false, true},
     Head{"transfer", "transfer", false, true},

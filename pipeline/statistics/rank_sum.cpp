@@ -92,6 +92,13 @@ RankSum rank_sum(std::span<const double> a, std::span<const double> b) {
   return result;
 }
 
+double effect_size(std::span<const double> a, std::span<const double> b) {
+  check_sample(a);
+  check_sample(b);
+  const auto n_a = static_cast<double>(a.size()), n_b = static_cast<double>(b.size());
+  return (rank(a, b).rank_sum_a - n_a * (n_a + 1) / 2) / (n_a * n_b);
+}
+
 double least_p(std::size_t n_a, std::size_t n_b) {
   if (n_a + n_b <= kSmall) return exact_p(0, n_a, n_b);
   return normal_p(0, static_cast<double>(n_a), static_cast<double>(n_b), 0);

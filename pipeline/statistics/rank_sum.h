@@ -31,6 +31,9 @@ inline constexpr std::size_t kFewestToTest = 3;
 // Throws InputError where a sample is empty or a value is not finite.
 RankSum rank_sum(std::span<const double> a, std::span<const double> b);
 
+// Its A12 alone.
+double effect_size(std::span<const double> a, std::span<const double> b);
+
 // The least p that samples of these sizes can give, without ties.
 double least_p(std::size_t n_a, std::size_t n_b);
 

@@ -15,8 +15,11 @@ namespace {
 struct Search {
   ArtifactName name;
   std::vector<ProgressRow> progress;  // ascending generations, not empty
+  std::vector<std::int64_t> id;       // of the elites that it ends with: their numbers as evaluations
   double genes = 0;                   // of a genome, the longest
 };
+
+bool draws_arcs(const ArtifactName& name) { return name.head == "layer3" || name.head == "flat_arcs"; }
 
 // Each genome is executed once for every sample of its stochastic descriptor.
 void add_executions(const Hdf5Reader& file, const std::string& prefix, double evaluations,
@@ -30,7 +33,7 @@ void add_executions(const Hdf5Reader& file, const std::string& prefix, double ev
 }
 
 Search read_search(const Artifact& artifact, StatisticsTable& table) {
-  Search search{artifact.name, read_progress(artifact.path), 0};
+  Search search{artifact.name, read_progress(artifact.path), {}, 0};
   if (search.progress.empty())
     throw InputError("{}: progress/generation is empty; expected at least one row", artifact.path.string());
   const Hdf5Reader file(artifact.path);
@@ -46,6 +49,7 @@ Search read_search(const Artifact& artifact, StatisticsTable& table) {
   table.add(prefix + ".evaluations", replication, static_cast<double>(search.progress.back().evaluations));
   add_executions(file, prefix, static_cast<double>(search.progress.back().evaluations), table);
   table.number(prefix + ".generations", static_cast<double>(search.progress.back().generation));
+  search.id = file.read<std::int64_t>("id").values;
   search.genes = static_cast<double>(file.read<float>("solution").shape.at(1));
   table.number(prefix + ".genes", search.genes);
   return search;
@@ -79,8 +83,37 @@ void compare_at_equal_generations(const std::vector<const Search*>& family, Stat
   }
 }
 
+// Of the elites that the search held at each row of its course, the share that others have replaced by its
+// end. Elites leave a repertoire by replacement alone, and ids count evaluations: those that stayed are those
+// with an id from before the row.
+Course replaced_later(const Search& search) {
+  std::vector<std::int64_t> id = search.id;
+  std::ranges::sort(id);
+  Course course;
+  for (const ProgressRow& row : search.progress) {
+    const std::int64_t stayed = std::ranges::lower_bound(id, row.evaluations) - id.begin();
+    if (stayed > row.size)
+      throw InputError("{}/{:02}: {} elites are from before generation {}, when it held {}; make it again",
+                       search.name.prefix(), search.name.replication, stayed, row.generation, row.size);
+    course.emplace_back(static_cast<double>(row.generation),
+                        row.size > 0 ? 1 - static_cast<double>(stayed) / static_cast<double>(row.size) : 0);
+  }
+  return course;
+}
+
+// How much is still replaced in the second half of a search, and what it brings.
+void add_second_half(const Search& search, StatisticsTable& table) {
+  const ProgressRow& half = row_at(search, search.progress.back().generation / 2);
+  const std::string prefix = search.name.prefix();
+  const auto at = static_cast<double>(half.generation);
+  const Course course = replaced_later(search);
+  const auto replaced = std::ranges::find(course, at, &Course::value_type::first);
+  table.add(prefix + ".replaced", search.name.replication, replaced->second);
+  table.add(prefix + ".late_gain", search.name.replication, search.progress.back().mean - half.mean);
+}
+
 void add_curves(const std::vector<const Search*>& replications, StatisticsTable& table) {
-  std::vector<Course> size, best, mean;
+  std::vector<Course> size, best, mean, replaced;
   for (const Search* search : replications) {
     Course s, b, m;
     for (const ProgressRow& row : search->progress) {
@@ -90,11 +123,13 @@ void add_curves(const std::vector<const Search*>& replications, StatisticsTable&
       m.emplace_back(at, row.mean);
     }
     size.push_back(s), best.push_back(b), mean.push_back(m);
+    if (draws_arcs(search->name)) replaced.push_back(replaced_later(*search));
   }
   const std::string prefix = replications.front()->name.prefix();
   add_curve(table, prefix, "generation", "size", size);
   add_curve(table, prefix, "generation", "best", best);
   add_curve(table, prefix, "generation", "mean", mean);
+  if (!replaced.empty()) add_curve(table, prefix, "generation", "replaced", replaced);
 }
 
 // The paper gives one size for all its variants of layer 2.
@@ -130,6 +165,8 @@ void read_searches(const ArtifactsByHead& artifacts, StatisticsTable& table) {
   std::map<std::string, std::vector<const Search*>> by_prefix;
   for (const Search& search : searches) by_prefix[search.name.prefix()].push_back(&search);
   for (const auto& [prefix, replications] : by_prefix) add_curves(replications, table);
+  for (const Search& search : searches)
+    if (draws_arcs(search.name)) add_second_half(search, table);
 
   for (const auto& [layer, flat] : {std::pair{"layer3", "flat_arcs"}, std::pair{"layer4", "flat_digits"}}) {
     std::vector<const Search*> family;

@@ -29,6 +29,9 @@ void read_arc_quality(const std::vector<Artifact>& artifacts, const std::set<std
                       StatisticsTable& table);
 void read_substitution(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_turns(const std::vector<Artifact>& artifacts, StatisticsTable& table);
+void read_confusion(const std::vector<Artifact>& networks, const std::vector<Artifact>& digits,
+                    StatisticsTable& table);
 void read_numbers(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_transfer(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& table);

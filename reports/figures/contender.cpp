@@ -89,6 +89,19 @@ Contender tuned_contender(const std::string& name) {
   return {name, who.name == "before" ? "arm" : fmt::format("arm,\n{}", who.label), Colour::blue};
 }
 
+// "digit_turns.hbr.of_good" -> "HBR" above "good".
+Contender turns_contender(const std::string& name) {
+  using Which = std::pair<const char*, const char*>;
+  static constexpr std::array kWhich = {Which{"of_good", "good"}, Which{"of_refused", "refused"},
+                                        Which{"joints", "joints"}};
+  const std::size_t who = name.find('.') + 1, measure = name.find('.', who) + 1;
+  const Contender drawer = contender(name.substr(who, measure - who - 1));
+  const auto which =
+      std::ranges::find(kWhich, name.substr(measure), [](const auto& w) { return std::string(w.first); });
+  return {name, which == kWhich.end() ? drawer.label : fmt::format("{},\n{}", drawer.label, which->second),
+          drawer.colour};
+}
+
 }  // namespace
 
 std::string robot_title(const std::string& name) {
@@ -105,6 +118,7 @@ std::string robot_title(const std::string& name) {
 
 Contender contender(const std::string& name) {
   if (name.starts_with("tuned.")) return tuned_contender(name);
+  if (name.starts_with("digit_turns.")) return turns_contender(name);
   // The last word that the table knows: in "layer1.nao.size" NAO, not layer 1.
   std::istringstream words(name);
   const Row* who = nullptr;

@@ -23,6 +23,8 @@ Figure autoencoder_figure(const Evidence& evidence);    // Fig. notation, bottom
 Figure digits_figure(const Evidence& evidence);         // Fig. main_res
 Figure continuum_figure(const Evidence& evidence);      // the digits along a walk through the latent space
 Figure judge_figure(const Evidence& evidence);          // what the classifier says of the digits
+Figure turns_figure(const Evidence& evidence);          // how sharply strokes turn, good digits and others
+Figure confusion_figure(const Evidence& evidence);      // rare classes beside those that the network confuses
 Figure fooling_figure(const Evidence& evidence);        // the network's error against the judge's confidence
 Figure substitution_figure(const Evidence& evidence);   // Fig. transfer a
 Figure lines_figure(const Evidence& evidence);          // Fig. res_line a

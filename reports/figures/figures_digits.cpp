@@ -106,11 +106,12 @@ Figure judge_figure(const Evidence& evidence) {
 }
 
 std::vector<Figure> all_figures(const Evidence& evidence) {
-  return {points_figure(evidence),  surest_digits_figure(evidence), autoencoder_figure(evidence),
-          digits_figure(evidence),  continuum_figure(evidence),     judge_figure(evidence),
-          fooling_figure(evidence), substitution_figure(evidence),  lines_figure(evidence),
-          arcs_figure(evidence),    arc_quality_figure(evidence),   searches_figure(evidence),
-          numbers_figure(evidence), layers_figure(evidence)};
+  return {points_figure(evidence),       surest_digits_figure(evidence), autoencoder_figure(evidence),
+          digits_figure(evidence),       continuum_figure(evidence),     judge_figure(evidence),
+          turns_figure(evidence),        confusion_figure(evidence),     fooling_figure(evidence),
+          substitution_figure(evidence), lines_figure(evidence),         arcs_figure(evidence),
+          arc_quality_figure(evidence),  searches_figure(evidence),      numbers_figure(evidence),
+          layers_figure(evidence)};
 }
 
 std::string best_digits_picture(const Artifacts& artifacts, int rows) {

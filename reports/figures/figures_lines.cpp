@@ -1,12 +1,65 @@
 // The layers below the digits: points, lines and arcs (Fig. res_line).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "reports/figures/contender.h"
 #include "reports/figures/figures.h"
 #include "reports/figures/panels.h"
+#include "reports/text/format.h"
 
 namespace hbr {
 namespace {
 
 void append(std::vector<Panel>& panels, std::vector<Panel> more) {
   for (Panel& panel : more) panels.push_back(std::move(panel));
+}
+
+// How much is still replaced once a repertoire is full, by the number of samples.
+std::string replaced_in_words(const StatisticsView& statistics) {
+  std::vector<std::string> shares, gains;
+  for (const auto& [layer, samples] : {std::pair{"n1", "1 sample"}, {"n10", "10"}, {"n100", "100"}}) {
+    const std::string prefix = fmt::format("layer3.{}.", layer);
+    const std::vector<double> replaced = statistics.quantity(prefix + "replaced"),
+                              gain = statistics.quantity(prefix + "late_gain");
+    if (replaced.empty() || gain.empty()) return "";
+    shares.push_back(
+        fmt::format("{} % ({})", format_number(100 * summarise(replaced, "replaced").median, 2), samples));
+    gains.push_back(format_number(summarise(gain, "late_gain").median, 2));
+  }
+  const auto test = statistics.test("layer3.n100.replaced", "layer3.n10.replaced");
+  const bool told = test && test->p && *test->p < 0.05;
+  return fmt::format(
+      "<p>Of the arcs held at half of the generations {} have been replaced by the end; the mean fitness "
+      "gained {} "
+      "meanwhile. {}</p>\n",
+      fmt::join(shares, ", "), fmt::join(gains, ", "),
+      !told ? "Whether 100 samples replace fewer than 10 this run does not tell."
+      : test->a12 < 0.5
+          ? fmt::format("With 100 samples fewer are replaced than with 10 (p = {}).", format_p(*test->p))
+          : fmt::format(
+                "With 100 samples more are replaced than with 10 (p = {}), so a lack of replacements is not "
+                "what keeps their mean down.",
+                format_p(*test->p)));
+}
+
+// Of the elites held at each generation those that nothing replaced later.
+std::vector<Panel> kept_panel(const StatisticsView& statistics, const std::string& figure, Tables& tables) {
+  BandPlot plot{
+      .x_label = "generation", .unit = "% of those held", .bands = {}, .from_zero = true, .width = 500};
+  for (const char* search : {"layer3.n1", "layer3.n10", "layer3.n100", "flat_arcs"}) {
+    auto band = statistics.curve(search, "replaced");
+    if (!band) continue;
+    const Contender who = contender(search);
+    band->label = who.label;
+    band->colour = who.colour;
+    for (auto* values : {&band->q1, &band->median, &band->q3})
+      for (double& value : *values) value = 100 * (1 - value);
+    std::swap(band->q1, band->q3);
+    add_band(tables, "Kept to the end", plot.x_label, *band);
+    plot.bands.push_back(*band);
+  }
+  if (plot.bands.empty()) return {};
+  return {{"Kept to the end", plot_script(plot, figure + "-kept"), 3}};
 }
 
 }  // namespace
@@ -74,7 +127,13 @@ Figure arc_quality_figure(const Evidence& evidence) {
       "starts "
       "is made of: the irregularity of segments and turns (c), and the joints’ term (d), which layer 1 "
       "already "
-      "keeps small for the hierarchy. One value per replication.";
+      "keeps small for the hierarchy. e: of the arcs that the search held at a generation those that it "
+      "still held at "
+      "its end, median and quartiles over the replications; a child takes an elite's place where it is "
+      "better by "
+      "epsilon. f: what the mean fitness gains in the second half of the generations. The others: "
+      "one "
+      "value per replication.";
   const auto of_each = [](const std::string& measure) {
     std::vector<std::string> names;
     for (const char* layer : {"layer3.n1.", "layer3.n10.", "layer3.n100.", "flat_arcs."})
@@ -99,7 +158,14 @@ Figure arc_quality_figure(const Evidence& evidence) {
     append(figure.panels,
            box_panel(evidence.statistics, of_each(measure),
                      {.title = title, .unit = unit, .figure = figure.id, .span = 3}, figure.tables));
-  figure.notes = tests_table(evidence.statistics, fresh);
+  append(figure.panels, kept_panel(evidence.statistics, figure.id, figure.tables));
+  append(figure.panels, box_panel(evidence.statistics, of_each("late_gain"),
+                                  {.title = "Gained in the second half",
+                                   .unit = "mean fitness, no unit",
+                                   .figure = figure.id,
+                                   .span = 3},
+                                  figure.tables));
+  figure.notes = replaced_in_words(evidence.statistics) + tests_table(evidence.statistics, fresh);
   return figure;
 }
 

@@ -126,7 +126,7 @@ PlotScript plot_script(const BandPlot& plot, const std::string& prefix) {
     ends.push_back((band.median.back() * axis.scale - axis.low) / (axis.high - axis.low));
   ends = spread_labels(ends);
 
-  std::string script = plot_head(plot.width, axis.unit, 88, 48);
+  std::string script = plot_head(plot.width, axis.unit, 96, 48);
   script += fmt::format("set yrange [{}:{}]\nset xrange [0:{}]\n", axis.low, axis.high, last_x);
   script += gnuplot_ticks("ytics", round_ticks(axis.low, axis.high)) +
             gnuplot_ticks("xtics", round_ticks(0, last_x));
@@ -234,7 +234,8 @@ PlotScript plot_script(const BarPlot& plot, const std::string& prefix) {
                          hex(colour));
     if (n > 1)
       script += fmt::format("set label {} at screen {}, screen 0.96 left font ',bold' textcolor rgb '{}'\n",
-                            gnuplot_quoted(label), 0.5 + 0.2 * static_cast<double>(i), hex(colour));
+                            gnuplot_quoted(label), 0.5 + std::min(0.2, 0.48 / n) * static_cast<double>(i),
+                            hex(colour));
   }
   return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix, in_words(plot)};
 }

@@ -75,7 +75,7 @@ void plan_digits(Plan& plan) {
   const DigitsTable& s = plan.profile().digits;
   if (plan.profile().replications.digits == 0 || s.hierarchy.empty()) return;
   const LayerRow& digits = plan.layer(s.hierarchy, "digits.hierarchy", "digits");
-  plan.layer(s.flat, "digits.flat");
+  const LayerRow& flat = plan.layer(s.flat, "digits.flat");
   for (int r = 0; r < plan.replications(digits); ++r) {
     plan.add("digit_verdicts", "digit_verdicts", r, nlohmann::json::object(),
              {{"dataset", "dataset.h5"},
@@ -85,6 +85,9 @@ void plan_digits(Plan& plan) {
     Inputs drawn = plan.inputs("layer", plan.stack(s.hierarchy), r);
     drawn.emplace_back("digits", numbered("digit_verdicts", r));
     plan.add("surest_digits", "surest_digits", r, nlohmann::json::object(), drawn);
+    if (std::string(flat.kind->name) != "flat_digits") continue;
+    drawn.insert(drawn.end(), {{"flat", numbered(s.flat, r)}, plan.descriptor(r)});
+    plan.add("digit_turns", "digit_turns", r, nlohmann::json::object(), drawn);
   }
 }
 

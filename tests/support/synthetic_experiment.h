@@ -48,7 +48,9 @@ class SyntheticExperiment : public SyntheticRobots {
       file.write("training/test_error", test);
       file.write("training/kept_per_class", kept);
       file.write("latent/position", latent);
-      file.write("latent/label", std::vector<std::uint8_t>(100, 3));
+      std::vector<std::uint8_t> label;
+      for (int i = 0; i < 100; ++i) label.push_back(static_cast<std::uint8_t>(rng.below(10)));
+      file.write("latent/label", label);
       file.close();
     }
   }
@@ -85,6 +87,38 @@ class SyntheticExperiment : public SyntheticRobots {
         file.write(prefix + "confidence", confidence);
         file.write(prefix + "distance", distance);
         file.write(prefix + "good", good);
+      }
+      file.close();
+    }
+  }
+
+  // How strokes turn: `sharp_*` rad in the mean, refused digits somewhat more.
+  void turns(int n, double sharp_hbr, double sharp_flat) {
+    for (int r = 0; r < replications_; ++r) {
+      Hdf5Writer file(place("digit_turns", r));
+      for (const auto& [group, sharp] : {std::pair{"hbr", sharp_hbr}, std::pair{"flat", sharp_flat}}) {
+        Rng rng(Seed(8).child(group).child(static_cast<std::uint64_t>(r)));
+        std::vector<std::int32_t> turns;
+        std::vector<std::uint8_t> good, joint;
+        std::vector<float> turn, length, side;
+        for (int i = 0; i < n; ++i) {
+          good.push_back(rng.uniform_double() < 0.6 ? 1 : 0);
+          turns.push_back(i == 0 ? 0 : 4 + i % 6);
+          const auto mean = static_cast<float>(sharp) * (good.back() ? 1.0f : 1.1f);
+          for (int k = 0; k < turns.back(); ++k) {
+            turn.push_back(mean * rng.uniform(0.5f, 1.5f) * (k % 2 ? 1.0f : -1.0f));
+            joint.push_back(group[0] == 'h' && k == 4 ? 1 : 0);
+          }
+          length.push_back(rng.uniform(0.8f, 1.2f));
+          side.push_back(rng.uniform(0.3f, 0.4f));
+        }
+        const std::string prefix = std::string(group) + "/";
+        file.write(prefix + "turns", turns);
+        file.write(prefix + "good", good);
+        file.write(prefix + "joint", joint);
+        file.write(prefix + "turn", turn);
+        file.write(prefix + "length", length);
+        file.write(prefix + "side", side);
       }
       file.close();
     }
@@ -160,6 +194,7 @@ class SyntheticExperiment : public SyntheticRobots {
     substitution({-1.29, -0.06, -0.56}, {-1.33, -0.28, -0.003}, 60);
     autoencoder(200 / shorter);
     digits(120, 0.6, 0.35);
+    turns(120, 0.5, 0.9);
     transfer("nao", 100);
     dynamics("nao", 20);
     tuned("nao", 50);

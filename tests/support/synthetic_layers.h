@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -23,7 +24,8 @@ class SyntheticLayers {
   // Name -> path, as the statistics stage gets them.
   const std::map<std::string, std::filesystem::path>& artifacts() const { return artifacts_; }
 
-  // A search that grows to `size` elites by 1 - exp(-8 generation / generations), recorded 21 times.
+  // A search that grows to `size` elites by 1 - exp(-8 generation / generations), recorded 21 times; those it
+  // ends with were born more slowly, by 1 - exp(-4 generation / generations), because some replaced others.
   void search(const std::string& stage, int size, int genes, double best, double mean, int generations,
               int samples = 1) {
     for (int r = 0; r < replications_; ++r) {
@@ -37,7 +39,9 @@ class SyntheticLayers {
       for (Eigen::Index i = 0; i < n; ++i) {
         const double u = static_cast<double>(i) / static_cast<double>(n > 1 ? n - 1 : 1);
         elites.objective[i] = static_cast<float>((best + 2 * (mean - best) * u) * shift);
-        elites.id.push_back(i);
+        const double born = -std::log(1 - u * (1 - std::exp(-4.0))) / 4;
+        const auto id = static_cast<std::int64_t>(born * (200.0 * generations - 1));
+        elites.id.push_back(i > 0 ? std::max(elites.id.back() + 1, id) : id);
         elites.parent.push_back(-1);
       }
       std::vector<ProgressRow> progress;

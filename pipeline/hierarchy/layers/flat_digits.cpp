@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/core/check.h"
 #include "pipeline/hierarchy/joints.h"
 #include "pipeline/hierarchy/layers/flat_arcs.h"
 #include "pipeline/hierarchy/layers/flat_model.h"
@@ -57,6 +58,16 @@ void FlatDigits::draw_digits(Eigen::Index n, const float* genomes, Eigen::Index 
          frame_.half_side, images + i * kImagePixels);
 }
 
+std::vector<Eigen::Vector2d> FlatDigits::tips(const float* genome, int length) const {
+  std::vector<double> joints;
+  append_joints(genome, length, joints);
+  std::vector<Pen> pens(joints.size() / static_cast<std::size_t>(robot_.dof()));
+  robot_.pens(static_cast<Eigen::Index>(pens.size()), joints.data(), pens.data());
+  std::vector<Eigen::Vector2d> tips;
+  for (const Pen& pen : pens) tips.push_back(pen.position);
+  return tips;
+}
+
 FlatDigitEvaluator::FlatDigitEvaluator(std::shared_ptr<const FlatDigits> digits, const Descriptor& descriptor)
     : digits_(std::move(digits)), descriptor_(descriptor) {}
 
@@ -68,6 +79,12 @@ void FlatDigitEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index
   describe_images(descriptor_, end - begin, images.data(), batch.descriptor.row(begin).data(),
                   &batch.fitness[begin]);
   std::fill(batch.valid.begin() + begin, batch.valid.begin() + end, 1);
+}
+
+const FlatDigits& flat_digits_of(const LayerModel& layer) {
+  const auto* evaluator = dynamic_cast<const FlatDigitEvaluator*>(&layer.evaluator());
+  if (!evaluator) throw InputError("the layer is of another kind; expected flat digits");
+  return evaluator->digits();
 }
 
 std::unique_ptr<LayerModel> make_flat_digits(const FlatDigitsSettings& settings, const Surroundings& around) {

@@ -48,6 +48,8 @@ class FlatDigits {
   // Draws n genomes, genomes + i stride of lengths[i] genes: images [n x 28 x 28]. Asks the robot once.
   void draw_digits(Eigen::Index n, const float* genomes, Eigen::Index stride, const std::int32_t* lengths,
                    float* images) const;
+  // The points through which the pen goes, m.
+  std::vector<Eigen::Vector2d> tips(const float* genome, int length) const;
 
  private:
   // Appends the configurations that the pen passes through, [points x dof] in radians.
@@ -66,11 +68,15 @@ class FlatDigitEvaluator final : public Evaluator {
   int descriptor_size() const override { return static_cast<int>(descriptor_.dimension()); }
   bool deterministic() const override { return true; }
   void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const override;
+  const FlatDigits& digits() const { return *digits_; }
 
  private:
   std::shared_ptr<const FlatDigits> digits_;
   const Descriptor& descriptor_;
 };
+
+// Of a layer that has a descriptor; throws InputError where it is of another kind.
+const FlatDigits& flat_digits_of(const LayerModel& layer);
 
 std::unique_ptr<LayerModel> make_flat_digits(const FlatDigitsSettings& settings, const Surroundings& around);
 

@@ -239,10 +239,23 @@ TEST_F(Digits, FlatPensOneByOne) {
         draw(xy.data(), static_cast<Eigen::Index>(xy.size() / 2), 1 + 3 * genome[0], Framing::box,
              kFrame.half_side, image.data());
         for (int p = 0; p < kImagePixels; ++p) ASSERT_NEAR(images[i * kImagePixels + p], image[p], 1e-4);
+        const std::vector<Eigen::Vector2d> tips = flat.tips(genome, batch.length[i]);
+        ASSERT_EQ(2 * tips.size(), xy.size());
+        for (std::size_t k = 0; k < tips.size(); ++k)
+          EXPECT_LT((tips[k].cast<float>() - Eigen::Vector2f::Map(&xy[2 * k])).norm(), 1e-6);
         model->draw(genome, batch.length[i], image.data());
         ASSERT_TRUE(std::equal(image.begin(), image.end(), &images[i * kImagePixels]));
       }
     }
+}
+
+TEST_F(Digits, FlatOnesAreToldFromOthers) {
+  const Stack stack = arcs();
+  const Halves halves;
+  const auto flat =
+      make_flat_digits({kFrame.half_side, "straight", "first", 0.05, pencil}, {arm, nullptr, &halves});
+  EXPECT_EQ(flat_digits_of(*flat).block(), 40);
+  EXPECT_THROW(flat_digits_of(*make_digits(digits_settings(0.0128), {arm, &stack, &halves})), InputError);
 }
 
 TEST_F(Digits, AreJudgedByTheirImages) {

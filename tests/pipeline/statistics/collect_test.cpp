@@ -211,7 +211,8 @@ TEST(Collect, LearningCurvesWhereTheyWereTested) {
     file.write("training/tested", tested);
     file.write("training/test_error", errors);
     file.write("training/kept_per_class", std::vector<double>(10, 0.5));
-    file.write("latent/position", std::vector<float>{0.5f});
+    file.write("latent/position", Array<float>{{2, 1}, {0.5f, 0.25f}});
+    file.write("latent/label", std::vector<std::uint8_t>{1, 1});
     file.close();
     return collect_statistics("tiny", {{"autoencoder/00.h5", path}});
   };

@@ -62,7 +62,15 @@ TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
                            "tuned.arm.top.good_gain",
                            "tuned.nao.all.arc_centre_from_arm",
                            "digit_verdicts.hbr.good_of_class.4",
+                           "digit_verdicts.hbr.good_if_confused",
+                           "digit_verdicts.flat.good_if_cut_high",
+                           "digit_turns.hbr.joints",
+                           "digit_turns.flat.refused_turn_more_low",
+                           "digit_turns.flat_turn_more_high",
+                           "layer3.n100.replaced",
                            "autoencoder.kept_of_class.2",
+                           "autoencoder.confused_of_class.4",
+                           "autoencoder.taken_for.4",
                            "judge.test_accuracy",
                            "layer4.generations",
                            "genes.hierarchy"}) {
@@ -70,10 +78,11 @@ TEST(Meaning, KnowsTheVocabularyAndNothingElse) {
     ASSERT_TRUE(meaning) << name;
     EXPECT_EQ(meaning->text.find("{}"), std::string::npos);
   }
-  for (const char* name :
-       {"", "layer2", "layer2.n10.sizes", "layer5.size", "layer2..size", "layer2.a.b.size",
-        "substitution.m4.original", "transfer.absolute", "dynamics.nao.leg_rms",
-        "dynamics.nao.arm_rms.LHipPitch", "digit_verdicts.hbr.good_of_class.x", "judge.accuracy", "accuracy"})
+  for (const char* name : {"", "layer2", "layer2.n10.sizes", "layer5.size", "layer2..size", "layer2.a.b.size",
+                           "substitution.m4.original", "transfer.absolute", "dynamics.nao.leg_rms",
+                           "dynamics.nao.arm_rms.LHipPitch", "digit_verdicts.hbr.good_of_class.x",
+                           "digit_verdicts.hbr.good_low", "digit_turns.hbr.turn_low", "digit_turns.turn",
+                           "autoencoder.taken_for.x", "judge.accuracy", "accuracy"})
     EXPECT_FALSE(meaning_of(name)) << name;
 }
 

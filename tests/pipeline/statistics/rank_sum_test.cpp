@@ -43,6 +43,19 @@ std::pair<std::vector<double>, std::vector<double>> with_u(int n_a, int n_b, int
   return samples;
 }
 
+TEST(RankSum, EffectSizeIsTheShareOfPairsWon) {
+  Rng rng(Seed(9));
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<double> a(1 + rng.below(30)), b(1 + rng.below(30));
+    for (auto* values : {&a, &b})
+      for (double& value : *values) value = rng.below(12);
+    const double expected = pairs_won(a, b) / static_cast<double>(a.size() * b.size());
+    EXPECT_NEAR(effect_size(a, b), expected, 1e-12);
+    EXPECT_EQ(effect_size(a, b), rank_sum(a, b).a12);
+  }
+  EXPECT_THROW(effect_size({}, sequence(0, 2)), InputError);
+}
+
 TEST(RankSum, CompleteSeparationOfFiftyAgainstFifty) {
   const RankSum test = rank_sum(sequence(0, 50), sequence(50, 50));
   EXPECT_EQ(test.u, 0);
