@@ -20,8 +20,10 @@ const choose = (label, value) => `(() => {
 const counts = async (page) => (await page.evaluate("[...document.querySelectorAll('.elite-map .place')].map((p) => p.textContent)"))
   .map((words) => Number(plain(words).match(/^\d+/)[0]));
 
-async function open(page, url, hash = "") {
-  await page.go(url + hash, kReady);
+// On the page that is open: as a reader who follows a link within it.
+async function follow(page, hash) {
+  await page.evaluate(`location.hash = "${hash}"`);
+  await page.holds(`${kHeading}.endsWith("· ${hash.split("/")[2]}")`);
 }
 
 // The address of the digit whose way is longest: some are dots.
@@ -31,8 +33,7 @@ function longestWay(html) {
 }
 
 export const explorerChecks = [
-  ["scripts read what the program packed", async (page, { url, html }) => {
-    await open(page, url);
+  ["scripts read what the program packed", async (page, { html }) => {
     for (const name of packOf(html, "explorer").words.replications) {
       const { words, arrays } = packOf(html, "explorer-" + name);
       assert.deepEqual(await page.evaluate(`unpack("explorer-${name}").then((pack) => pack.words)`), words);
@@ -44,10 +45,9 @@ export const explorerChecks = [
         assert.deepEqual(read, [shape, values.length, sum], array);
       }
     }
-  }],
+  }, "desk"],
 
-  ["a click goes into the address, a reload and the way back come to the same elite", async (page, { url }) => {
-    await open(page, url);
+  ["a click goes into the address, a reload and the way back come to the same elite", async (page) => {
     const middle = (await page.evaluate(`(() => { document.getElementById("explorer").scrollIntoView({ behavior: "instant" });
       return [...document.querySelectorAll(".map")].map((map) => { const b = map.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 3]; }); })()`));
     const seen = [];
@@ -64,25 +64,22 @@ export const explorerChecks = [
     await page.holds(`${kHeading} === ${JSON.stringify(seen[0][1])}`);
     await page.evaluate("history.forward()");
     await page.holds(`${kHeading} === ${JSON.stringify(seen[1][1])}`);
-  }],
+  }, "desk"],
 
   ["an address opens any layer", async (page, { url, html }) => {
     const { words, arrays } = packOf(html, "explorer-00");
     const last = (group) => arrays[group + "/id"].values.at(-1);
-    await open(page, url, `#flat/0/${last("flat")}`);
+    await page.go(`${url}#flat/0/${last("flat")}`, kReady);
     for (const { group } of words.layers) {
-      await page.evaluate(`location.hash = "#${group}/0/${last(group)}"`);
-      await page.holds(`${kHeading}.endsWith("· ${last(group)}")`);
+      await follow(page, `#${group}/0/${last(group)}`);
       const genes = arrays[group + "/length"]?.values.at(-1) ?? arrays[group + "/solution"].shape[1];
       assert.equal(await page.evaluate("document.querySelectorAll('.genome tbody tr').length"), genes, group);
     }
-    await open(page, url + "?nobody", "#hbr/0/999999999");
+    await page.go(url + "?nobody#hbr/0/999999999", kReady);
     assert.ok(!(await page.evaluate(kHeading)).includes("999999999"));
-  }],
+  }, "own"],
 
-  ["the keyboard reaches every control, and arrow keys go to neighbours", async (page, { url, html }) => {
-    await page.media({ "prefers-reduced-motion": "reduce" });
-    await open(page, url);
+  ["the keyboard reaches every control, and arrow keys go to neighbours", async (page, { html }) => {
     const reachable = `[...document.querySelectorAll("#explorer :is(button, select, input, summary, a[href], .map)")].filter((e) => e.getClientRects().length)`;
     const controls = await page.evaluate(`${reachable}.length`);
     await page.evaluate(`window.passed = []; ${reachable}[0].focus()`);
@@ -101,8 +98,7 @@ export const explorerChecks = [
     const middle = ids.map((id, i) => [places[2 * i], id]).sort((a, b) => a[0] - b[0])[Math.floor(ids.length / 2)][1];
     let moves = 0;
     for (const [key, axis, sign] of [["ArrowRight", 0, 1], ["ArrowUp", 1, 1], ["ArrowLeft", 0, -1], ["ArrowDown", 1, -1]]) {
-      await page.evaluate(`location.hash = "#hbr/0/${middle}"`);
-      await page.holds(`${kHeading}.endsWith("· ${middle}")`);
+      await follow(page, `#hbr/0/${middle}`);
       await page.evaluate("document.querySelector('.map').focus()");
       const before = await place(), farther = places.some((v, i) => i % 2 === axis && (v - before[axis]) * sign > 0.001);
       await page.press(key);
@@ -111,16 +107,15 @@ export const explorerChecks = [
       moves += farther;
     }
     assert.ok(moves >= 2);
-    await page.evaluate(`location.hash = "${longestWay(html)}"`);
-    await page.holds(`${kHeading}.endsWith("· ${longestWay(html).split("/")[2]}")`);
+    await follow(page, longestWay(html));
     await page.evaluate(`document.querySelector('[aria-label="Speed"]').value = "0.25"; ${kPlay}.focus()`);
     assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
     await page.press("Enter");
     await page.holds(`${kPlay}.textContent === "Pause"`);
-  }],
+  }, "desk"],
 
-  ["the arm moves until it is paused, and can be moved by hand", async (page, { url, html }) => {
-    await open(page, url, longestWay(html));
+  ["the arm moves until it is paused, and can be moved by hand", async (page, { html }) => {
+    await follow(page, longestWay(html));
     await page.evaluate(`document.querySelector('[aria-label="Speed"]').value = "0.25";
       if (${kPlay}.textContent === "Pause") ${kPlay}.click(); ${kPlay}.click()`);
     const first = await page.evaluate(arm);
@@ -133,25 +128,23 @@ export const explorerChecks = [
     assert.equal(await page.evaluate(arm), still);
     await page.evaluate(`(() => { const scrub = document.querySelector('[aria-label="Posture"]'); scrub.value = "0"; scrub.dispatchEvent(new Event("input")); })()`);
     assert.notEqual(await page.evaluate(arm), still);
-  }],
+  }, "moving"],
 
-  ["who asks for less motion gets none", async (page, { url, html }) => {
-    await page.media({ "prefers-reduced-motion": "reduce" });
-    await open(page, url, longestWay(html));
+  ["who asks for less motion gets none", async (page, { html }) => {
+    await follow(page, longestWay(html));
     assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
     const still = await page.evaluate(arm);
     await wait(150);
     assert.equal(await page.evaluate(arm), still);
     await page.evaluate(`${kPlay}.click()`);
     await page.holds(`${arm} !== ${JSON.stringify(still)}`);
-  }],
+  }, "desk"],
 
-  ["filters and the table keep what the data has", async (page, { url, html }) => {
+  ["filters and the table keep what the data has", async (page, { html }) => {
     const { words, arrays } = packOf(html, "explorer-00");
     const of = (group, name) => arrays[`${group}/${name}`].values;
     const batch = Object.fromEntries(words.layers.map((layer) => [layer.group, layer.batch]));
     const expected = (passes) => ["hbr", "flat"].map((group) => of(group, "id").filter((id, i) => passes(group, i)).length);
-    await open(page, url);
     await page.evaluate(`window.saved = []; const make = URL.createObjectURL; URL.createObjectURL = (blob) => { saved.push(blob); return make.call(URL, blob); }`);
     const table = async () => {
       await page.evaluate("[...document.querySelectorAll('.explorer-bar button')].find((b) => b.textContent.endsWith('CSV')).click()");
@@ -180,10 +173,31 @@ export const explorerChecks = [
     const rows = (await table()).slice(1).map((row) => row.split(","));
     assert.deepEqual(rows.filter(([layer]) => layer === rows[0][0]).map((row) => Number(row[2])),
       of("hbr", "id").filter((_, i) => -of("hbr", "objective")[i] <= limit));
-  }],
+  }, "desk"],
 
-  ["words can be read on their paper", async (page, { url }) => {
-    await open(page, url);
+  // Of points the cost is told, of numbers the fitness: whichever it is, the worst are left out.
+  ["a filter keeps the better elites of every layer", async (page, { html }) => {
+    const { words, arrays } = packOf(html, "explorer-00");
+    let fitnesses = 0;
+    for (const { group, fitness } of words.layers) {
+      if (!/^layer[^2]/.test(group)) continue;
+      const values = Array.from(arrays[group + "/objective"].values), best = Math.max(...values), worst = Math.min(...values);
+      const ids = arrays[group + "/id"].values;
+      await follow(page, `#${group}/0/${ids[0]}`);
+      const isCost = fitness.meaning.startsWith("minus ");
+      fitnesses += !isCost;
+      const slider = `[...document.querySelectorAll(".explorer-bar label")].find((l) => / (up to|from) /.test(l.textContent)).querySelector("input")`;
+      assert.equal(await page.evaluate(`${slider}.parentNode.parentNode.textContent.includes(${isCost ? "' up to '" : "' from '"})`), true, group);
+      assert.deepEqual(await counts(page), [values.length], group);
+      await page.evaluate(`${slider}.value = "${isCost ? 25 : 75}"; ${slider}.dispatchEvent(new Event("input", { bubbles: true }))`);
+      const kept = values.filter((value) => value >= best - (best - worst) * 0.25).length;
+      assert.deepEqual(await counts(page), [kept], group);
+      assert.ok(kept > 0 && kept < values.length, group);
+    }
+    assert.equal(fitnesses, words.layers.some(({ group }) => group === "layer5") ? 1 : 0);
+  }, "desk"],
+
+  ["words can be read on their paper", async (page) => {
     for (const theme of ["light", "dark"]) {
       await page.media({ "prefers-color-scheme": theme });
       const faint = await page.evaluate(`(() => {
@@ -198,5 +212,5 @@ export const explorerChecks = [
         return poor; })()`);
       assert.deepEqual(faint, []);
     }
-  }],
+  }, "desk"],
 ];

@@ -1,9 +1,16 @@
 // A second reader of the page's packs, from the file itself, as reports/page/pack.h describes them.
 import { inflateSync } from "node:zlib";
 
+const known = new Map();  // by their texts
+
 export function packOf(html, name) {
   const opening = `<script type="text/plain" id="pack-${name}">`, at = html.indexOf(opening) + opening.length;
-  const bytes = inflateSync(Buffer.from(html.slice(at, html.indexOf("<", at)), "base64"));
+  const text = html.slice(at, html.indexOf("<", at));
+  if (!known.has(text)) known.set(text, unpacked(inflateSync(Buffer.from(text, "base64"))));
+  return known.get(text);
+}
+
+function unpacked(bytes) {
   const length = bytes.readUInt32LE(0), { words, arrays } = JSON.parse(bytes.toString("utf8", 4, 4 + length));
   const read = {};
   let begin = 4 + length;

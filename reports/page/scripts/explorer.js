@@ -2,7 +2,7 @@
 // selected. The address says the last: #hbr/0/1234 is the hierarchy's digit 1234 of replication 0.
 class Explorer {
   constructor(root, { replications, profile }) {
-    Object.assign(this, { root, replications, profile, replication: 0, key: null, until: Infinity, most: Infinity,
+    Object.assign(this, { root, replications, profile, replication: 0, key: null, until: Infinity, bound: null,
                           wanted: "", goodness: "" });
     this.bar = element("div", { class: "explorer-bar" });
     this.legend = element("p", { class: "legend", "aria-label": "Colours" });
@@ -52,7 +52,7 @@ class Explorer {
     const values = (key) => all.map(([layer, row]) => layer.quantity(key).of(row));
     const limited = this.filterBy && values(this.filterBy.key);
     this.limits = { born: Math.max(...values("birth")), value: limited && [Math.min(...limited), Math.max(...limited)] };
-    Object.assign(this, { until: Infinity, most: Infinity, wanted: "", goodness: "" });
+    Object.assign(this, { until: Infinity, bound: null, wanted: "", goodness: "" });
     this.fillBar();
     this.refresh();
   }
@@ -65,10 +65,10 @@ class Explorer {
       control.addEventListener("change", () => change(control.value));
       return control;
     };
-    const slider = (low, high, step, words, change) => {
+    const slider = (low, high, step, words, change, at = high) => {
       const said = element("output");
       const control = element("input", { type: "range", min: String(low), max: String(high), step: String(step) });
-      control.value = String(high);
+      control.value = String(at);
       const tell = () => {
         said.textContent = words(Number(control.value));
         control.setAttribute("aria-valuetext", said.textContent);
@@ -106,10 +106,11 @@ class Explorer {
       controls.push(labelled("Good", select([["", "all"], ["1", "good"], ["0", "not good"]], "",
         refreshing((value) => { this.goodness = value; }))));
     if (this.limits.value) {
-      const [low, high] = this.limits.value, steps = 100;
-      controls.push(labelled(`${this.filterBy.name[0].toUpperCase()}${this.filterBy.name.slice(1)} up to`, element("span", {}, ...slider(0, steps, 1,
-        (k) => shortNumber(low + ((high - low) * k) / steps),
-        refreshing((k) => { this.most = k === steps ? Infinity : low + ((high - low) * k) / steps; })))));
+      const [low, high] = this.limits.value, steps = 100, { name, larger } = this.filterBy, all = larger ? 0 : steps;
+      const bound = (k) => low + ((high - low) * k) / steps;
+      controls.push(labelled(`${name[0].toUpperCase()}${name.slice(1)} ${larger ? "from" : "up to"}`, element("span", {},
+        ...slider(0, steps, 1, (k) => shortNumber(bound(k)),
+          refreshing((k) => { this.bound = k === all ? null : bound(k); }), all))));
     }
     controls.push(labelled("Born until generation", element("span", {}, ...slider(1, this.limits.born, 1, shortNumber,
       refreshing((value) => { this.until = value; })))));
@@ -119,7 +120,9 @@ class Explorer {
   }
 
   passes(layer, row) {
-    return layer.generation(row) <= this.until && (!this.filterBy || layer.quantity(this.filterBy.key).of(row) <= this.most)
+    const value = this.bound === null ? 0 : layer.quantity(this.filterBy.key).of(row);
+    return layer.generation(row) <= this.until
+      && (this.bound === null || (this.filterBy.larger ? value >= this.bound : value <= this.bound))
       && (this.wanted === "" || layer.of("label").values[row] === Number(this.wanted))
       && (this.goodness === "" || layer.of("good").values[row] === Number(this.goodness));
   }

@@ -11,8 +11,7 @@ const rgb = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 const themeName = () => (dark() ? "dark" : "light");
 const themeColour = (name) => getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
 
-function scaleColour(share) {
-  const [from, to] = kShown[themeName()];
+function scaleColour(share, [from, to] = kShown[themeName()]) {
   const at = (from + (to - from) * Math.min(1, Math.max(0, share))) * (kViridis.length - 1);
   const low = rgb(kViridis[Math.floor(at)]), high = rgb(kViridis[Math.ceil(at)]), part = at - Math.floor(at);
   return `rgb(${low.map((value, c) => Math.round(value + (high[c] - value) * part)).join(" ")})`;
@@ -25,9 +24,9 @@ function colouring(layers, key) {
   const values = layers.flatMap((layer, l) => Array.from({ length: layer.size }, (_, row) => of[l].of(row)));
   values.sort((a, b) => a - b);
   const at = (share) => values[Math.round(share * (values.length - 1))] ?? 0;
-  const [low, high] = [at(0.02), at(0.98)];
+  const [low, high] = [at(0.02), at(0.98)], shown = kShown[themeName()];
   return { ...of[0], low, high, least: values[0], most: values.at(-1),
-           colour: (value) => scaleColour(high > low ? (value - low) / (high - low) : 0.5) };
+           colour: (value) => scaleColour(high > low ? (value - low) / (high - low) : 0.5, shown) };
 }
 
 // The key to the colours as elements.

@@ -34,16 +34,17 @@ class ExplorerLayer {
   }
   children(row) { return [...this.parent.keys()].filter((child) => this.parent[child] === this.id[row]); }
 
-  // What elites can be coloured and filtered by. A cost is what the fitness is minus of.
+  // What elites can be coloured and filtered by; `larger` says that the larger ones are the better ones. A cost is
+  // what the fitness is minus of.
   listQuantities() {
     const all = [];
-    const add = (key, name, unit, of, meaning = "") =>
-      all.push({ key, name, unit: unit.replaceAll("^2", "²"), of, meaning: meaning.replaceAll("^2", "²") });
+    const add = (key, name, unit, of, meaning = "", larger = false) =>
+      all.push({ key, name, unit: unit.replaceAll("^2", "²"), of, meaning: meaning.replaceAll("^2", "²"), larger });
     const fitness = this.of("objective").values, { meaning, units } = this.fitness;
     const cost = meaning.replace(/^minus (the )?/, ""), sign = cost === meaning ? 1 : -1;
     if (this.draws) add("error", "network’s error", units, (row) => -fitness[row], cost);
     else if (fitness.some((value) => value !== fitness[0]))
-      add("fitness", cost.length < 40 ? cost : sign < 0 ? "cost" : "fitness", units, (row) => sign * fitness[row], cost);
+      add("fitness", cost.length < 40 ? cost : sign < 0 ? "cost" : "fitness", units, (row) => sign * fitness[row], cost, sign > 0);
     const label = this.of("label")?.values, confidence = this.of("confidence")?.values,
           uncertainty = this.of("uncertainty")?.values;
     if (label) add("class", "class", "", (row) => label[row], "as the judge reads it");

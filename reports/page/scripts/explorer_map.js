@@ -41,8 +41,8 @@ class EliteMap {
     const { left, right, top, bottom } = this.margin;
     return { x: left, y: top, w: this.box.clientWidth - left - right, h: this.box.clientHeight - top - bottom };
   }
-  xy(place) {
-    const { x, y, w, h } = this.plot;
+  // Who asks for many places measures the plot once.
+  xy(place, { x, y, w, h } = this.plot) {
     const share = place.map((value, k) => {
       const [low, high] = this.layer.range(this.axes[k]);
       return (value - low) / (high - low);
@@ -60,10 +60,10 @@ class EliteMap {
   place(row) { return this.axes.map((d) => this.layer.place(row, d)); }
 
   nearest(...place) {
-    const [x, y] = this.xy(place);
+    const { plot } = this, [x, y] = this.xy(place, plot);
     let best = null, least = Infinity;
     for (const row of this.visible) {
-      const [u, v] = this.xy(this.place(row)), distance = (u - x) ** 2 + (v - y) ** 2;
+      const [u, v] = this.xy(this.place(row), plot), distance = (u - x) ** 2 + (v - y) ** 2;
       if (distance < least) [best, least] = [row, distance];
     }
     return best;
@@ -71,10 +71,10 @@ class EliteMap {
   // The nearest elite within 45 degrees of a direction, or else in that half of the map.
   neighbour([dx, dy]) {
     if (this.selected === null) return this.visible[0] ?? null;
-    const [x, y] = this.xy(this.place(this.selected));
+    const { plot } = this, [x, y] = this.xy(this.place(this.selected), plot);
     let best = null, least = Infinity;
     for (const row of this.visible) {
-      const [u, v] = this.xy(this.place(row)), ahead = (u - x) * dx - (v - y) * dy;
+      const [u, v] = this.xy(this.place(row), plot), ahead = (u - x) * dx - (v - y) * dy;
       const aside = Math.abs((u - x) * dy + (v - y) * dx);
       const distance = Math.hypot(ahead, aside) + (aside > ahead ? 1e6 : 0);
       if (row !== this.selected && ahead > 0.01 && distance < least) [best, least] = [row, distance];
@@ -112,10 +112,10 @@ class EliteMap {
     paper.restore();
   }
   drawPoints(paper) {
-    const radius = this.layer.size > 800 ? 2.2 : 3;
+    const radius = this.layer.size > 800 ? 2.2 : 3, { plot } = this, { of } = this.layer.quantity(this.scale.key);
     for (const row of this.visible) {
-      const [x, y] = this.xy(this.place(row));
-      paper.fillStyle = this.scale.colour(this.layer.quantity(this.scale.key).of(row));
+      const [x, y] = this.xy(this.place(row), plot);
+      paper.fillStyle = this.scale.colour(of(row));
       paper.beginPath();
       paper.arc(x, y, radius, 0, 7);
       paper.fill();
@@ -123,11 +123,11 @@ class EliteMap {
   }
   // The digits themselves in their colours.
   drawImages(paper, width) {
-    const side = Math.round(Math.min(26, Math.max(15, width / 19)));
+    const side = Math.round(Math.min(26, Math.max(15, width / 19))), { plot } = this;
     this.sprites ??= new Map(this.visible.map((row) => [row, tinted(this.layer.of("image").values, row,
       this.scale.colour(this.layer.quantity(this.scale.key).of(row)))]));
     for (const row of this.visible) {
-      const [x, y] = this.xy(this.place(row));
+      const [x, y] = this.xy(this.place(row), plot);
       paper.drawImage(this.sprites.get(row), x - side / 2, y - side / 2, side, side);
     }
   }

@@ -249,21 +249,14 @@ TEST_F(Digits, FlatPensOneByOne) {
     }
 }
 
-TEST_F(Digits, FlatOnesAreToldFromOthers) {
-  const Stack stack = arcs();
-  const Halves halves;
-  const auto flat =
-      make_flat_digits({kFrame.half_side, "straight", "first", 0.05, pencil}, {arm, nullptr, &halves});
-  EXPECT_EQ(flat_digits_of(*flat).block(), 40);
-  EXPECT_THROW(flat_digits_of(*make_digits(digits_settings(0.0128), {arm, &stack, &halves})), InputError);
-}
-
 TEST_F(Digits, AreJudgedByTheirImages) {
   const Stack stack = arcs();
   const Halves halves;
   const auto digits = make_digits(digits_settings(0.0128), {arm, &stack, &halves}),
              flat = make_flat_digits({kFrame.half_side, "straight", "first", 0.05, pencil},
                                      {arm, nullptr, &halves});
+  EXPECT_EQ(flat_digits_of(*flat).block(), 40);
+  EXPECT_THROW(flat_digits_of(*digits), InputError);
   std::vector<float> image(kImagePixels);
   const auto check = [&](const Evaluator& evaluator, int head, int block, auto&& draw_row) {
     Batch whole = some_batch(12, head, block), parts = whole;
