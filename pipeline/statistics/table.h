@@ -13,7 +13,8 @@
 //             all values of all replications together; low and high end the whiskers, below and above count
 //             the outliers
 // curves      "layer4": {x: "generation", at, n, size: {median, q1, q3}, best: {...}, mean: {...}}
-//             over the replications; for "autoencoder" {x: "epoch", ..., train_error, test_error}
+//             over the replications, of arcs also replaced; for "autoencoder" {x: "epoch", ..., train_error,
+//             test_error}
 //
 // Shares are in [0, 1] and have the unit ""; what has the unit "%" is already in per cent. Keys are sorted;
 // there is no time, host or path: equal artifacts give equal bytes.
