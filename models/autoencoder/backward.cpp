@@ -116,69 +116,20 @@ HBR_INLINE void dense_backward(const Network& net, LayerIndex which, const Lanes
   });
 }
 
-// The row y of the slopes before a max-pool (Size wide): those of the winners, elsewhere zero.
-template <int Size, int N>
-HBR_INLINE void unpool_row(const Lanes* pooled, const IntLanes* winners, int y, Lanes* row) {
-  for (int v = 0; v < N; ++v)
-    for (int x = 0; x < Size; ++x) {
-      const Index pixel = y / 2 * (Size / 2) + x / 2;
-      const int corner = y % 2 * 2 + x % 2;
-      for (int c = 0; c < kMaps; ++c) {
-        const auto won = (winners[v * kWinnersPlane + pixel] & (3 << (2 * c))) == (corner << (2 * c));
-        row[v * kSlopePlane + x * kMaps + c] = won ? pooled[v * kSlopePlane + pixel * kMaps + c] : Lanes{};
-      }
-    }
-}
-
-// The first convolution: only lit pixels matter. Row by row of slopes, three taps of a row at once.
+// The slopes before the second max-pool: those of the winners, elsewhere zero.
 template <int N>
-void conv1_gradient(const Tile<N>& tile, Slopes<N>& slopes, float* gradient) {
-  constexpr int B = kBlock;
-  for (Lanes& sum : slopes.conv1) sum = Lanes{};
-  const Lanes* image = tile.map(kImage) + kImageBorder;
-  const Lanes* slope = slopes.map(kConv1Slope);
-  for (int y = 0; y < kSide; ++y) {
-    unpool_row<kSide, N>(slopes.map(kPool1Slope), tile.winners + kWinners1, y, slopes.map(kConv1Slope));
-    for (int ky = std::max(0, 4 - y); ky < std::min(9, kSide + 4 - y); ++ky) {
-      const int row = y + ky - 4;
-      const Span span = tile.spans[static_cast<std::size_t>(row)];
-      if (span.begin == span.end) continue;
-      for (int kx = 0; kx < 9; kx += 3) {
-        const int x0 = std::max(0, span.begin + 2 - kx), x1 = std::min(kSide, span.end + 4 - kx);
-        for (int o = 0; o < kMaps; o += B) {
-          Lanes* to = slopes.conv1 + (ky * 9 + kx) * kMaps + o;
-          Lanes sum[3][B];
-#pragma GCC unroll 3
-          for (int k = 0; k < 3; ++k)
-#pragma GCC unroll 8
-            for (int b = 0; b < B; ++b) sum[k][b] = to[k * kMaps + b];
-          for (int v = 0; v < N; ++v) {
-            const Lanes* a = image + v * kPlane + row * kImageWidth + x0 + kx - 4;
-            const Lanes* s = slope + v * kSlopePlane + x0 * kMaps + o;
-            for (int x = x0; x < x1; ++x, ++a, s += kMaps) {
-              const Lanes a0 = a[0], a1 = a[1], a2 = a[2];
-#pragma GCC unroll 8
-              for (int b = 0; b < B; ++b) {
-                const Lanes g = s[b];
-                sum[0][b] += g * a0;
-                sum[1][b] += g * a1;
-                sum[2][b] += g * a2;
-              }
-            }
-          }
-#pragma GCC unroll 3
-          for (int k = 0; k < 3; ++k)
-#pragma GCC unroll 8
-            for (int b = 0; b < B; ++b) to[k * kMaps + b] = sum[k][b];
+HBR_INLINE void unpool(const Lanes* pooled, const IntLanes* winners, Lanes* slopes) {
+  for (int v = 0; v < N; ++v)
+    for (int y = 0; y < 14; ++y)
+      for (int x = 0; x < 14; ++x) {
+        const Index pixel = y / 2 * 7 + x / 2;
+        const int corner = y % 2 * 2 + x % 2;
+        for (int c = 0; c < kMaps; ++c) {
+          const auto won = (winners[v * 7 * 7 + pixel] & (3 << (2 * c))) == (corner << (2 * c));
+          slopes[v * kSlopePlane + (y * 14 + x) * kMaps + c] =
+              won ? pooled[v * kSlopePlane + pixel * kMaps + c] : Lanes{};
         }
       }
-    }
-  }
-  for (int k = 0; k < 81 * kMaps; k += kMaps) {
-    Lanes sum[kMaps];
-    std::copy_n(slopes.conv1 + k, kMaps, sum);
-    add_lane_sums(sum, gradient + k);
-  }
 }
 
 }  // namespace
@@ -200,7 +151,7 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
         const Lanes out = tile.map(kDecoded)[v * kPlane + y * kSide + x];
-        const Lanes in = tile.map(kImage)[v * kPlane + y * kImageWidth + kImageBorder + x];
+        const Lanes in = tile.map(kImage)[v * kPlane + y * kSide + x];
         slopes.map(kOutputSlope)[v * kSlopePlane + y * kSide + x] =
             linear ? (out - in) * factor : (out - in) * out * (1.f - out) * factor;
       }
@@ -254,15 +205,16 @@ void backward(const Network& net, const Tile<N>& tile, Slopes<N>& slopes, float 
   dense_backward(net, kDense1, tile.map(kPool2), slopes, kHidden1Slope, kPool2Slope, gradient, slope_of);
 
   // Encoder's convolutions.
-  for (int y = 0; y < 14; ++y)
-    unpool_row<14, N>(slopes.map(kPool2Slope), tile.winners + kWinners2, y,
-                      slopes.map(kConv2Slope) + y * 14 * kMaps);
+  unpool<N>(slopes.map(kPool2Slope), tile.winners, slopes.map(kConv2Slope));
   kernel_gradient<3, kMaps, kMaps, 14, N>(tile.map(kPool1), kPlane, slopes.map(kConv2Slope), kSlopePlane,
                                           weights(kConv2));
   bias_gradient<kMaps, N>(slopes.map(kPool2Slope), kSlopePlane, 7 * 7, bias(kConv2));
   convolve<3, kMaps, kMaps, 14, N>(slopes.map(kConv2Slope), kSlopePlane, net.conv2_back.data(), nullptr,
                                    keep(kPool1, kPool1Slope, 14));
-  conv1_gradient(tile, slopes, weights(kConv1));
+  for (int v = 0; v < N; ++v)
+    slopes.conv1.add(tile.lit + v * kLanes, std::clamp(tile.images - v * kLanes, 0, kLanes),
+                     slopes.map(kPool1Slope) + v * kSlopePlane);
+  slopes.conv1.finish(weights(kConv1));
   bias_gradient<kMaps, N>(slopes.map(kPool1Slope), kSlopePlane, 14 * 14, bias(kConv1));
 }
 

@@ -19,8 +19,7 @@ enum SlopeMap : Index {
   kPool2Slope = kHidden1Slope + kHidden,
   kConv2Slope = kGrown2Slope,  // [14][14][8], before the pool; follows it in the same place
   kPool1Slope = kPool2Slope + kFlat,
-  kConv1Slope = kPool1Slope + 14 * 14 * kMaps,  // one row, [28][8], before the pool
-  kSlopePlane = kConv1Slope + kSide * kMaps
+  kSlopePlane = kPool1Slope + 14 * 14 * kMaps
 };
 
 template <int N>
@@ -28,7 +27,7 @@ struct Slopes {
   Lanes* map(SlopeMap m) { return maps + m; }
 
   Lanes maps[N * kSlopePlane] = {};
-  Lanes conv1[81 * kMaps] = {};  // gradient of the first kernel, still one lane per image
+  Conv1Gradient conv1;
   // Of one plane after the other: spectra below and above the sub-pixel convolution, of activations and
   // slopes.
   Lanes below[kSpectrum * kMaps], above[kSpectrum * 4 * kMaps];

@@ -19,21 +19,21 @@ HBR_INLINE void dense(const Network& network, LayerIndex which, const Lanes* in,
   });
 }
 
-// Convolution, max-pool and activation (which commutes with the pool) at once.
-template <int Taps, int In, int Size, int N, bool Training, class Rows>
-HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weight, const float* bias,
-                                  const Rows& rows, const HiddenUnits& unit, Lanes* out, IntLanes* winners) {
+// The second convolution, its max-pool and its units (which commute with the pool) at once.
+template <int N, bool Training>
+HBR_INLINE void convolve_and_pool(const Lanes* in, const float* weight, const float* bias,
+                                  const HiddenUnits& unit, Lanes* out, IntLanes* winners) {
   constexpr int B = kConvolutionBlock<kMaps>;
-  for (int y = 0; y < Size / 2; ++y)
-    for (int x = 0; x < Size / 2; ++x)
+  for (int y = 0; y < 7; ++y)
+    for (int x = 0; x < 7; ++x)
       for (int o = 0; o < kMaps; o += B) {
         Lanes best[N][B] = {};
         IntLanes from[N][B] = {};
         for (int corner = 0; corner < 4; ++corner) {
           Lanes sum[N][B];
           start(sum, bias + o);
-          convolve_pixel<Taps, In, kMaps, Size>(sum, in, kPlane, width, weight + o, 2 * y + corner / 2,
-                                                2 * x + corner % 2, rows);
+          convolve_pixel<3, kMaps, kMaps, 14>(sum, in, kPlane, weight + o, 2 * y + corner / 2,
+                                              2 * x + corner % 2);
           for (int v = 0; v < N; ++v)
             for (int b = 0; b < B; ++b) {
               const auto better = corner == 0 ? IntLanes{} == 0 : sum[v][b] > best[v][b];
@@ -41,13 +41,13 @@ HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weigh
               if constexpr (Training) from[v][b] = better ? IntLanes{} + corner : from[v][b];
             }
         }
-        const Index pixel = y * (Size / 2) + x;
+        const Index pixel = y * 7 + x;
         for (int v = 0; v < N; ++v) {
           for (int b = 0; b < B; ++b) out[v * kPlane + pixel * kMaps + o + b] = unit(best[v][b]);
           if constexpr (Training) {
-            IntLanes packed = o == 0 ? IntLanes{} : winners[v * kWinnersPlane + pixel];
+            IntLanes packed = o == 0 ? IntLanes{} : winners[v * 7 * 7 + pixel];
             for (int b = 0; b < B; ++b) packed |= from[v][b] << (2 * (o + b));
-            winners[v * kWinnersPlane + pixel] = packed;
+            winners[v * 7 * 7 + pixel] = packed;
           }
         }
       }
@@ -56,13 +56,11 @@ HBR_INLINE void convolve_and_pool(const Lanes* in, int width, const float* weigh
 template <int N, bool Training>
 void encode_tile(const Network& net, Tile<N>& tile) {
   const HiddenUnits unit(net.activations);
-  const auto spans = [&](int row) { return tile.spans[static_cast<std::size_t>(row)]; };
-  convolve_and_pool<9, 1, kSide, N, Training>(tile.map(kImage) + kImageBorder, kImageWidth,
-                                              net.kernel(kConv1), net.bias(kConv1), spans, unit,
-                                              tile.map(kPool1), tile.winners + kWinners1);
-  convolve_and_pool<3, kMaps, 14, N, Training>(tile.map(kPool1), 14, net.kernel(kConv2), net.bias(kConv2),
-                                               WholeRow<14>{}, unit, tile.map(kPool2),
-                                               tile.winners + kWinners2);
+  for (int v = 0; v < N; ++v)
+    convolve_and_pool(tile.lit + v * kLanes, net.conv1_spread.data(), net.bias(kConv1), unit, Training,
+                      tile.room, tile.map(kPool1) + v * kPlane);
+  convolve_and_pool<N, Training>(tile.map(kPool1), net.kernel(kConv2), net.bias(kConv2), unit,
+                                 tile.map(kPool2), tile.winners);
   dense<N>(net, kDense1, tile.map(kPool2), tile.map(kHidden1), unit);
   dense<N>(net, kDense2, tile.map(kHidden1), tile.map(kHidden2), unit);
   dense<N>(net, kLatent, tile.map(kHidden2), tile.map(kPosition), [](Lanes x) { return tanh(x); });
@@ -106,44 +104,27 @@ HBR_INLINE void decode_output(const Network& net, const Lanes* in, Lanes* decode
 float brightness(float pixel) { return pixel; }
 float brightness(std::uint8_t pixel) { return static_cast<float>(pixel) * (1.f / 255.f); }
 
-// The columns of each row outside of which `light`, the sum of all images, is zero.
-std::array<Span, kSide> lit_spans(const float (&light)[kPixels]) {
-  std::array<Span, kSide> spans;
-  for (int y = 0; y < kSide; ++y) {
-    const float* row = light + y * kSide;
-    int begin = 0, end = kSide;
-    while (begin < end && row[begin] == 0) ++begin;
-    while (end > begin && row[end - 1] == 0) --end;
-    spans[static_cast<std::size_t>(y)] = {begin, end};
-  }
-  return spans;
-}
-
 }  // namespace
 
 template <int N, class Pixel>
 void load_images(Tile<N>& tile, int count, const Pixel* const* images) {
   static constexpr Pixel black[kPixels] = {};
   tile.images = count;
-  float light[kPixels] = {};
   static_assert(kPixels % kLanes == 0);
   for (int v = 0; v < N; ++v) {
-    float rows[kLanes][kPixels];
+    LitImage* const lit = tile.lit + v * kLanes;
     for (int l = 0; l < kLanes; ++l) {
       const Pixel* image = v * kLanes + l < count ? images[v * kLanes + l] : black;
-      for (int p = 0; p < kPixels; ++p) rows[l][p] = brightness(image[p]);
-      for (int p = 0; p < kPixels; ++p) light[p] += std::abs(rows[l][p]);
+      for (int p = 0; p < kPixels; ++p) lit[l].pixels[p] = brightness(image[p]);
+      lit[l].find_spans();
     }
     for (int p = 0; p < kPixels; p += kLanes) {
       Lanes block[kLanes];
-      for (int l = 0; l < kLanes; ++l) block[l] = load(rows[l] + p);
+      for (int l = 0; l < kLanes; ++l) block[l] = load(lit[l].pixels + p);
       transpose(block);
-      for (int k = 0; k < kLanes; ++k)
-        tile.map(kImage)[v * kPlane + (p + k) / kSide * kImageWidth + kImageBorder + (p + k) % kSide] =
-            block[k];
+      for (int k = 0; k < kLanes; ++k) tile.map(kImage)[v * kPlane + p + k] = block[k];
     }
   }
-  tile.spans = lit_spans(light);
 }
 
 template <int N>
@@ -184,7 +165,7 @@ Lanes reconstruction_error(const Tile<N>& tile, int v) {
   Lanes sum{};
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const Lanes d = decoded[y * kSide + x] - image[y * kImageWidth + kImageBorder + x];
+      const Lanes d = decoded[y * kSide + x] - image[y * kSide + x];
       sum += d * d;
     }
   return sum * (1.f / kPixels);

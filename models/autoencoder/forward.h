@@ -4,17 +4,15 @@
 #include <array>
 #include <memory>
 
+#include "models/autoencoder/conv1.h"
 #include "models/autoencoder/fourier.h"
 
 namespace hbr::net {
 
-inline constexpr int kImageBorder = 4;  // zero columns left and right, so that blocks of taps may overhang
-inline constexpr int kImageWidth = kSide + 2 * kImageBorder;
-
 // Where a plane (a vector of images) keeps what leaves each layer, after its rectifier.
 enum Map : Index {
   kImage = 0,
-  kPool1 = kImage + kSide * kImageWidth,
+  kPool1 = kImage + kPixels,
   kPool2 = kPool1 + 14 * 14 * kMaps,
   kHidden1 = kPool2 + kFlat,
   kHidden2 = kHidden1 + kHidden,
@@ -27,7 +25,6 @@ enum Map : Index {
   kDecoded = kGrown2 + 14 * 14 * kMaps,
   kPlane = kDecoded + kPixels
 };
-inline constexpr Index kWinners1 = 0, kWinners2 = 14 * 14, kWinnersPlane = kWinners2 + 7 * 7;
 
 template <int N>
 struct Tile {
@@ -35,13 +32,14 @@ struct Tile {
   const Lanes* map(Map m) const { return maps + m; }
 
   Lanes maps[N * kPlane] = {};
-  // Which of four pixels won a max-pool (row * 2 + column; the first of equals): for each pooled pixel two
-  // bits per channel, the first channel's lowest.
-  IntLanes winners[N * kWinnersPlane] = {};
+  // Which of four pixels won the second max-pool (row * 2 + column; the first of equals): for each pooled
+  // pixel two bits per channel, the first channel's lowest.
+  IntLanes winners[N * 7 * 7] = {};
   // Of one plane after the other: spectra of the maps below and above the sub-pixel convolution (fourier.h).
   Lanes below[kSpectrum * kMaps], above[kSpectrum * 4 * kMaps];
-  std::array<Span, kSide> spans{};  // of the union of the images
-  int images = 0;                   // lanes past them hold black images
+  LitImage lit[N * kLanes];  // the images one by one
+  conv1::Room room;
+  int images = 0;  // lanes past them hold black images
 };
 
 // Loads up to N * kLanes images of 784 pixels; they may lie anywhere. Bytes stand for [0, 1] / 255.

@@ -24,16 +24,6 @@ class HiddenUnits {
   bool tanh_;
 };
 
-// Columns of a row that may differ from zero.
-struct Span {
-  int begin, end;
-};
-
-template <int Size>
-struct WholeRow {
-  Span operator()(int) const { return {0, Size}; }
-};
-
 // body.template operator()<B>(first) over blocks of B = kBlock, 4, 2, 1 that cover [0, n).
 template <class Body>
 HBR_INLINE void for_blocks(Index n, Body&& body) {
@@ -70,22 +60,17 @@ HBR_INLINE void start(Lanes (&sum)[N][B], const float* bias) {
     for (int v = 0; v < N; ++v) sum[v][b] = bias ? broadcast(bias[b]) : Lanes{};
 }
 
-// Convolution at one pixel for B outputs; taps outside the map or the span of a row are skipped. `in` is a
-// Size x Size map of In channels whose rows are `width` pixels apart; `weight` {rows, columns, In, Out}
-// starts at the first of the B outputs.
-template <int Taps, int In, int Out, int Size, int N, int B, class Rows>
-HBR_INLINE void convolve_pixel(Lanes (&sum)[N][B], const Lanes* in, Index plane, int width,
-                               const float* weight, int y, int x, const Rows& rows) {
+// Convolution at one pixel for B outputs; taps outside the map are skipped. `in` is a Size x Size map of In
+// channels; `weight` {rows, columns, In, Out} starts at the first of the B outputs.
+template <int Taps, int In, int Out, int Size, int N, int B>
+HBR_INLINE void convolve_pixel(Lanes (&sum)[N][B], const Lanes* in, Index plane, const float* weight, int y,
+                               int x) {
   constexpr int half = Taps / 2;
   const int end = std::min(Taps, Size + half - y);
-  for (int ky = std::max(0, half - y); ky < end; ++ky) {
-    const int row = y + ky - half;
-    const Span span = rows(row);
-    const int first = std::max(0, span.begin + half - x);
-    const int last = std::min(Taps, span.end + half - x);
-    multiply_add(sum, (last - first) * In, in + (row * width + x + first - half) * In, plane,
+  const int first = std::max(0, half - x), last = std::min(Taps, Size + half - x);
+  for (int ky = std::max(0, half - y); ky < end; ++ky)
+    multiply_add(sum, (last - first) * In, in + ((y + ky - half) * Size + x + first - half) * In, plane,
                  weight + (ky * Taps + first) * In * Out, Out, 1);
-  }
 }
 
 template <int Out>
@@ -100,7 +85,7 @@ HBR_INLINE void convolve(const Lanes* in, Index plane, const float* weight, cons
       for (int o = 0; o < Out; o += kConvolutionBlock<Out>) {
         Lanes sum[N][kConvolutionBlock<Out>];
         start(sum, bias ? bias + o : nullptr);
-        convolve_pixel<Taps, In, Out, Size>(sum, in, plane, Size, weight + o, y, x, WholeRow<Size>{});
+        convolve_pixel<Taps, In, Out, Size>(sum, in, plane, weight + o, y, x);
         store(y, x, o, sum);
       }
 }

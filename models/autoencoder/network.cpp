@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/autoencoder/conv1.h"
 #include "models/autoencoder/fourier.h"
 
 namespace hbr::net {
@@ -113,6 +114,8 @@ void Network::initialise(Seed seed, float output_start) {
 }
 
 void Network::refresh() {
+  conv1_spread.resize(kConv1Spread);
+  spread_conv1(kernel(kConv1), conv1_spread.data());
   Floats deconv2(kSubpixelDeconv2, 0.f);
   to_subpixel(9, kMaps, kMaps, kernel(kDeconv2), deconv2.data());
   deconv2_spectra.resize(kDeconv2Spectra);

@@ -102,6 +102,7 @@ class Network {
   Layout layout;
   Activations activations;
   Floats parameters;
+  Floats conv1_spread;              // conv1.h
   Floats deconv2_spectra;           // of the sub-pixel form (fourier.h), so that its results need no factor
   Floats output;                    // sub-pixel form
   Floats output_bias;               // of the four parities
