@@ -11,18 +11,16 @@ namespace {
 using net::Index;
 using net::kLanes;
 using net::kPixels;
+using net::kPlanes;
+using net::kTileImages;
 using net::Tile;
 
-// body(tile, first image, images) for n images: as many wide tiles as fit, a narrow one for what is left.
+// body(tile, first image, images) for n images.
 template <class Body>
 void for_tiles(Index n, Body&& body) {
-  Index i = 0;
-  if (n > kLanes) {
-    const auto wide = std::make_unique<Tile<2>>();
-    for (; n - i > kLanes; i += 2 * kLanes)
-      body(*wide, i, static_cast<int>(std::min<Index>(n - i, 2 * kLanes)));
-  }
-  if (i < n) body(*std::make_unique<Tile<1>>(), i, static_cast<int>(n - i));
+  const auto tile = std::make_unique<Tile>();
+  for (Index i = 0; i < n; i += kTileImages)
+    body(*tile, i, static_cast<int>(std::min<Index>(n - i, kTileImages)));
 }
 
 // Lane `image` of row `row` of the first plane's map, across planes.
@@ -30,20 +28,18 @@ float lane_of(const net::Lanes* map, Index row, int image) {
   return map[image / kLanes * net::kPlane + row][image % kLanes];
 }
 
-template <int N, class Pixel>
-void load(Tile<N>& tile, const Pixel* const* images, int count) {
+template <class Pixel>
+void load(Tile& tile, const Pixel* const* images, int count) {
   net::load_images(tile, count, images);
 }
 
-template <int N>
-void load(Tile<N>& tile, const float* images, int count) {
-  const float* rows[N * kLanes];
+void load(Tile& tile, const float* images, int count) {
+  const float* rows[kTileImages];
   for (int i = 0; i < count; ++i) rows[i] = images + i * kPixels;
   net::load_images(tile, count, rows);
 }
 
-template <int N>
-void read_latent(const Tile<N>& tile, int count, Index dim, float* latent) {
+void read_latent(const Tile& tile, int count, Index dim, float* latent) {
   for (int i = 0; i < count; ++i)
     for (Index d = 0; d < dim; ++d) latent[i * dim + d] = lane_of(tile.map(net::kPosition), d, i);
 }
@@ -51,12 +47,12 @@ void read_latent(const Tile<N>& tile, int count, Index dim, float* latent) {
 template <class Images>
 void describe_all(const net::Network& network, Index n, Images images_of, float* latent, float* error) {
   const Index dim = network.layout.latent_size;
-  for_tiles(n, [&]<int N>(Tile<N>& tile, Index first, int count) {
+  for_tiles(n, [&](Tile& tile, Index first, int count) {
     load(tile, images_of(first), count);
     net::encode(network, tile, false);
     net::decode(network, tile);
     read_latent(tile, count, dim, latent + first * dim);
-    for (int v = 0; v < N; ++v) {
+    for (int v = 0; v < kPlanes; ++v) {
       const net::Lanes e = net::reconstruction_error(tile, v);
       for (int i = v * kLanes; i < std::min(count, (v + 1) * kLanes); ++i) error[first + i] = e[i % kLanes];
     }
@@ -82,7 +78,7 @@ void Autoencoder::describe(Eigen::Index n, const std::uint8_t* const* images, fl
 }
 
 void Autoencoder::encode(Eigen::Index n, const float* images, float* latent) const {
-  for_tiles(n, [&]<int N>(Tile<N>& tile, Index first, int count) {
+  for_tiles(n, [&](Tile& tile, Index first, int count) {
     load(tile, images + first * kPixels, count);
     net::encode(network_, tile, false);
     read_latent(tile, count, dimension(), latent + first * dimension());
@@ -90,7 +86,7 @@ void Autoencoder::encode(Eigen::Index n, const float* images, float* latent) con
 }
 
 void Autoencoder::decode(Eigen::Index n, const float* latent, float* decoded) const {
-  for_tiles(n, [&]<int N>(Tile<N>& tile, Index first, int count) {
+  for_tiles(n, [&](Tile& tile, Index first, int count) {
     for (int i = 0; i < count; ++i)
       for (Index d = 0; d < dimension(); ++d)
         tile.map(net::kPosition)[i / kLanes * net::kPlane + d][i % kLanes] =

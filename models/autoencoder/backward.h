@@ -1,7 +1,7 @@
-// The backward pass of a tile: adds the gradient of its images' error to a slot.
+// The backward pass of a tile.
 #pragma once
 
-#include "models/autoencoder/forward.h"
+#include "models/autoencoder/dense_gradient.h"
 
 namespace hbr::net {
 
@@ -22,22 +22,21 @@ enum SlopeMap : Index {
   kSlopePlane = kPool1Slope + 14 * 14 * kMaps
 };
 
-template <int N>
 struct Slopes {
   Lanes* map(SlopeMap m) { return maps + m; }
 
-  Lanes maps[N * kSlopePlane] = {};
+  Lanes maps[kPlanes * kSlopePlane] = {};
   Conv1Gradient conv1;
-  // Of one plane after the other: spectra below and above the sub-pixel convolution, of activations and
-  // slopes.
-  Lanes below[kSpectrum * kMaps], above[kSpectrum * 4 * kMaps];
-  // Slopes of a dense layer turned round, one row per image.
-  float rows[kLanes * N * (kFlat + 8)] = {};
+  Lanes below[kSpectrum * kMaps];  // of one plane after the other: spectra below the sub-pixel convolution
 };
 
-// After encode (training) and decode: adds d(scale * sum over images of the mean squared error per pixel) to
-// `gradient`, laid out as a GradientSlot's.
-template <int N>
-void backward(const Network& network, const Tile<N>& tile, Slopes<N>& slopes, float scale, float* gradient);
+// A gradient's numbers: one per parameter, then those of the sub-pixel kernels, deconv2's as spectra.
+inline Index gradient_size(const Layout& layout) { return layout.size + kDeconv2Spectra + kSubpixelOutput; }
+
+// After encode (training) and decode of the same tile: adds d(scale * sum over images of the mean squared
+// error per pixel) to `gradient`, of all layers but the dense ones, for whose gradients it leaves a record.
+// Of the tile it changes what is of one plane after the other.
+void backward(const Network& network, Tile& tile, Slopes& slopes, float scale, DenseRecord& record,
+              float* gradient);
 
 }  // namespace hbr::net

@@ -146,7 +146,7 @@ void unpool(const float* slopes, const std::uint8_t* winners, Room& room) {
 
 // The rows of taps from `first` on.
 template <int Rows>
-void Conv1Gradient::add_taps(const LitImage& image, int first) {
+void Conv1Gradient::add_taps(const LitImage& image, int first, Room& room) {
   constexpr int chunk = std::min(kVectors, 9);  // vectors that stay in registers
   for (int c = 0; c < kVectors; c += chunk) {
     Lanes sum[Rows][kGroup][chunk];
@@ -156,7 +156,7 @@ void Conv1Gradient::add_taps(const LitImage& image, int first) {
     for (int y = 0; y < kSide; ++y) {
       const Span span = image.spans[static_cast<std::size_t>(y)];
       const float* from[Rows];
-      for (int r = 0; r < Rows; ++r) from[r] = room_.row(y - first - r + kHalf) + c * kLanes;
+      for (int r = 0; r < Rows; ++r) from[r] = room.row(y - first - r + kHalf) + c * kLanes;
       for (int x = span.begin & -kGroup; x < span.end; x += kGroup) {
         Lanes pixel[kGroup];
 #pragma GCC unroll 2
@@ -177,19 +177,20 @@ void Conv1Gradient::add_taps(const LitImage& image, int first) {
   }
 }
 
-void Conv1Gradient::add(const LitImage* images, int count, const Lanes* slopes) {
+void Conv1Gradient::add(const LitImage* images, int count, const Lanes* slopes, Room& room) {
+  std::fill_n(room.rows[0], (kSide + 1) * kRow, 0.f);
   for (int i = 0; i < kPooled; i += kLanes) {
     Lanes block[kLanes];
     std::copy_n(slopes + i, kLanes, block);
     transpose(block);
-    for (int l = 0; l < kLanes; ++l) store(room_.pooled[l] + i, block[l]);
+    for (int l = 0; l < kLanes; ++l) store(room.pooled[l] + i, block[l]);
   }
   constexpr int rows = kLanes > kMaps ? 2 : 1;
   for (int l = 0; l < count; ++l) {
-    unpool(room_.pooled[l], images[l].winners, room_);
+    unpool(room.pooled[l], images[l].winners, room);
     int ky = 0;
-    for (; ky + rows <= kTaps; ky += rows) add_taps<rows>(images[l], ky);
-    if constexpr (kTaps % rows > 0) add_taps<kTaps % rows>(images[l], ky);
+    for (; ky + rows <= kTaps; ky += rows) add_taps<rows>(images[l], ky, room);
+    if constexpr (kTaps % rows > 0) add_taps<kTaps % rows>(images[l], ky, room);
   }
 }
 

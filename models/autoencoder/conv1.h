@@ -58,15 +58,14 @@ void convolve_and_pool(LitImage* images, const float* spread, const float* bias,
 class Conv1Gradient {
  public:
   // Adds the gradient of `count` images of a plane; slopes [14][14][8] are those of what leaves the max-pool.
-  void add(const LitImage* images, int count, const Lanes* slopes);
+  void add(const LitImage* images, int count, const Lanes* slopes, conv1::Room& room);
   // Adds what has come together to gradient {9, 9, 1, 8}, and begins anew.
   void finish(float* gradient);
 
  private:
   template <int Rows>
-  void add_taps(const LitImage& image, int first);
+  void add_taps(const LitImage& image, int first, conv1::Room& room);
 
-  conv1::Room room_;
   Lanes sums_[conv1::kTaps][conv1::kGroup][conv1::kVectors] = {};
 };
 

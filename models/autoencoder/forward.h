@@ -1,4 +1,4 @@
-// The forward pass of a tile: N vectors of images side by side.
+// The forward pass of a tile: some vectors of images side by side.
 #pragma once
 
 #include <array>
@@ -8,6 +8,15 @@
 #include "models/autoencoder/fourier.h"
 
 namespace hbr::net {
+
+// Vectors of images that are worked on side by side, so that a weight once loaded serves them all. Where
+// vectors are wide and registers many, one keeps the units busy, and its maps stay in the cache.
+#if defined(__AVX512F__)
+inline constexpr int kPlanes = 1;
+#else
+inline constexpr int kPlanes = 2;
+#endif
+inline constexpr int kTileImages = kPlanes * kLanes;
 
 // Where a plane (a vector of images) keeps what leaves each layer, after its rectifier.
 enum Map : Index {
@@ -26,35 +35,32 @@ enum Map : Index {
   kPlane = kDecoded + kPixels
 };
 
-template <int N>
 struct Tile {
   Lanes* map(Map m) { return maps + m; }  // of plane 0; the next one's lies kPlane further
   const Lanes* map(Map m) const { return maps + m; }
 
-  Lanes maps[N * kPlane] = {};
+  Lanes maps[kPlanes * kPlane] = {};
   // Which of four pixels won the second max-pool (row * 2 + column; the first of equals): for each pooled
   // pixel two bits per channel, the first channel's lowest.
-  IntLanes winners[N * 7 * 7] = {};
-  // Of one plane after the other: spectra of the maps below and above the sub-pixel convolution (fourier.h).
-  Lanes below[kSpectrum * kMaps], above[kSpectrum * 4 * kMaps];
-  LitImage lit[N * kLanes];  // the images one by one
+  IntLanes winners[kPlanes * 7 * 7] = {};
+  // Spectra of the maps below the sub-pixel convolution (fourier.h), and above it of one plane after the
+  // other.
+  Lanes below[kPlanes * kSpectrum * kMaps], above[kSpectrum * 4 * kMaps];
+  LitImage lit[kTileImages];  // the images one by one
   conv1::Room room;
   int images = 0;  // lanes past them hold black images
 };
 
-// Loads up to N * kLanes images of 784 pixels; they may lie anywhere. Bytes stand for [0, 1] / 255.
-template <int N, class Pixel>
-void load_images(Tile<N>& tile, int count, const Pixel* const* images);
+// Loads up to kTileImages images of 784 pixels; they may lie anywhere. Bytes stand for [0, 1] / 255.
+template <class Pixel>
+void load_images(Tile& tile, int count, const Pixel* const* images);
 
 // The layers up to the latent position, and from it to the decoded image. `training` keeps the winners of the
 // max-pools for the backward pass.
-template <int N>
-void encode(const Network& network, Tile<N>& tile, bool training);
-template <int N>
-void decode(const Network& network, Tile<N>& tile);
+void encode(const Network& network, Tile& tile, bool training);
+void decode(const Network& network, Tile& tile);
 
 // Mean squared error per pixel of the images of plane v.
-template <int N>
-Lanes reconstruction_error(const Tile<N>& tile, int v);
+Lanes reconstruction_error(const Tile& tile, int v);
 
 }  // namespace hbr::net

@@ -1,34 +1,34 @@
-// One share of a batch's gradient, with the room to work it out. A batch is always divided into the same
-// number of slots and these are summed in their order, so the threads that fill them leave no trace.
+// The gradient of a batch. A batch is always divided in the same way and put together in the same order, so
+// the threads that share the work leave no trace.
 #pragma once
 
 #include <cstdint>
 #include <memory>
 
 #include "models/autoencoder/network.h"
+#include "pipeline/core/parallel.h"
 
 namespace hbr::net {
 
-class GradientSlot {
+class BatchGradient {
  public:
-  explicit GradientSlot(const Layout& layout);
-  ~GradientSlot();
-  GradientSlot(GradientSlot&&) noexcept;
+  explicit BatchGradient(const Layout& layout);
+  ~BatchGradient();
 
-  // Adds d(scale * sum of the errors of n images)/d(parameters); images [n] point to 784 bytes each. Returns
-  // the sum of the errors.
-  double add(const Network& network, int n, const std::uint8_t* const* images, float scale);
+  // d(scale * sum of the errors of n images)/d(parameters), in the place of the one before; images [n] point
+  // to 784 bytes each. Returns the sum of the errors. As many threads help as there are tiles in a group
+  // (gradient.cpp).
+  double find(const Network& network, int n, const std::uint8_t* const* images, float scale,
+              Workers& workers);
 
-  // One number per parameter, then those of the sub-pixel kernels, see fold_subpixel.
-  Floats& gradient() { return gradient_; }
+  // One number per parameter.
+  const float* gradient() const { return gradient_.data(); }
 
  private:
-  struct Room;
-  Floats gradient_;
-  std::unique_ptr<Room> room_;
-};
+  struct Parts;
 
-// Brings the sub-pixel part of a gradient home into the parameters' part.
-void fold_subpixel(const Layout& layout, float* gradient);
+  Floats gradient_;
+  std::unique_ptr<Parts> parts_;
+};
 
 }  // namespace hbr::net

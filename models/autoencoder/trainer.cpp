@@ -21,9 +21,6 @@ std::vector<std::int64_t> all_samples(const AutoencoderSettings& settings, const
   return all;
 }
 
-// Shares of a batch whose gradients are worked out apart and summed in this order: the bound of the threads
-// that help, and part of what the result is.
-constexpr int kGradientSlots = 4;
 // Steps from which on a network that does no better than the mean image has failed.
 constexpr std::int64_t kStepsToLearn = 1000;
 
@@ -31,8 +28,13 @@ class Trainer {
  public:
   Trainer(const AutoencoderSettings& settings, Seed seed, const ImageSet& train, const ImageSet& test,
           Workers& workers, TrainingState& state)
-      : settings_(settings), seed_(seed), train_(train), test_(test), workers_(workers), state_(state) {
-    for (int s = 0; s < kGradientSlots; ++s) slots_.emplace_back(state.network.layout);
+      : settings_(settings),
+        seed_(seed),
+        train_(train),
+        test_(test),
+        workers_(workers),
+        state_(state),
+        gradient_(state.network.layout) {
     mean_image_error_ = mean_image_error();
   }
 
@@ -75,24 +77,8 @@ class Trainer {
 
   // Returns the sum of the errors before the step.
   double step(const std::uint8_t* const* images, int n, double rate) {
-    // Whole groups of 16 images, so that vectors of any width are filled.
-    const int share = (n + kGradientSlots * 16 - 1) / (kGradientSlots * 16) * 16;
-    double errors[kGradientSlots] = {};
-    workers_.for_each(kGradientSlots, [&](std::size_t s) {
-      const int first = static_cast<int>(s) * share, count = std::min(share, n - first);
-      std::fill(slots_[s].gradient().begin(), slots_[s].gradient().end(), 0.f);
-      if (count > 0)
-        errors[s] = slots_[s].add(state_.network, count, images + first, 1.f / static_cast<float>(n));
-    });
-    net::Floats& sum = slots_[0].gradient();
-    double error = errors[0];
-    for (std::size_t s = 1; s < kGradientSlots; ++s) {
-      const net::Floats& other = slots_[s].gradient();
-      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += other[i];
-      error += errors[s];
-    }
-    net::fold_subpixel(state_.network.layout, sum.data());
-    state_.adam.step(rate, sum.data(), state_.network.parameters);
+    const double error = gradient_.find(state_.network, n, images, 1.f / static_cast<float>(n), workers_);
+    state_.adam.step(rate, gradient_.gradient(), state_.network.parameters, workers_);
     state_.network.refresh();
     return error;
   }
@@ -171,7 +157,7 @@ class Trainer {
   const ImageSet& test_;
   Workers& workers_;
   TrainingState& state_;
-  std::vector<net::GradientSlot> slots_;
+  net::BatchGradient gradient_;
   double mean_image_error_ = 0;
 };
 

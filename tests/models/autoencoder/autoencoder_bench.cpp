@@ -82,21 +82,15 @@ std::vector<std::uint8_t> lit_images(int n) {
   return images;
 }
 
-void train(benchmark::State& state, const std::vector<std::uint8_t>& images) {
+void train(benchmark::State& state, const std::vector<std::uint8_t>& images, int threads = 1) {
   net::Network net = network();
   net::Adam adam(net.parameters.size());
-  net::GradientSlot slots[2] = {net::GradientSlot(net.layout), net::GradientSlot(net.layout)};
+  net::BatchGradient gradient(net.layout);
+  Workers workers(threads);
   const auto rows = rows_of(images);
-  const int half = static_cast<int>(rows.size()) / 2;
   for (auto _ : state) {
-    for (int s = 0; s < 2; ++s) {
-      std::fill(slots[s].gradient().begin(), slots[s].gradient().end(), 0.f);
-      slots[s].add(net, half, rows.data() + s * half, 1.f / 128);
-    }
-    net::Floats& sum = slots[0].gradient();
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += slots[1].gradient()[i];
-    net::fold_subpixel(net.layout, sum.data());
-    adam.step(1e-3, sum.data(), net.parameters);
+    gradient.find(net, static_cast<int>(rows.size()), rows.data(), 1.f / 128, workers);
+    adam.step(1e-3, gradient.gradient(), net.parameters, workers);
     net.refresh();
   }
   report(state, static_cast<double>(state.iterations()) * static_cast<double>(rows.size()), kTraining);

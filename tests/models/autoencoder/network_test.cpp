@@ -132,9 +132,9 @@ TEST(Network, GradientsAgreeWithFiniteDifferences) {
     const auto images = as_floats(bytes);
     std::vector<const std::uint8_t*> rows;
     for (int i = 0; i < n; ++i) rows.push_back(bytes.data() + i * 784);
-    net::GradientSlot slot(network.layout);
-    const double error = slot.add(network, n, rows.data(), 1.f / n);
-    net::fold_subpixel(network.layout, slot.gradient().data());
+    net::BatchGradient gradient(network.layout);
+    Workers workers(1);
+    const double error = gradient.find(network, n, rows.data(), 1.f / n, workers);
 
     auto p = doubles(network.parameters);
     const auto loss = [&] {
@@ -160,7 +160,7 @@ TEST(Network, GradientsAgreeWithFiniteDifferences) {
         p[at] = kept - step;
         const double below = loss();
         p[at] = kept;
-        const double expected = (above - below) / (2 * step), found = slot.gradient()[at];
+        const double expected = (above - below) / (2 * step), found = gradient.gradient()[at];
         squares += expected * expected;
         differences += (found - expected) * (found - expected);
         EXPECT_NEAR(found, expected, 1e-6 + 2e-3 * std::abs(expected))
@@ -169,6 +169,39 @@ TEST(Network, GradientsAgreeWithFiniteDifferences) {
       EXPECT_GT(squares, 0) << l.name;
       EXPECT_LT(std::sqrt(differences / squares), 2e-4) << l.name;
     }
+  }
+}
+
+// More images than the groups that are worked out together have room for, lit up to their borders or not at
+// all.
+TEST(Network, ABatchsGradientIsTheSumOfItsImages) {
+  const net::Network network = random_network(2, {0.1f}, 3);
+  constexpr int n = 150;
+  auto bytes = stroke_images(n, Seed(6));
+  Rng rng{Seed(7)};
+  for (int i = 0; i < 784; ++i)
+    bytes[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(rng.below(256));
+  for (const int corner : {0, 27, 27 * 28, 783}) bytes[static_cast<std::size_t>(784 + corner)] = 255;
+  std::fill_n(bytes.begin() + 2 * 784, 784, std::uint8_t{0});
+  std::vector<const std::uint8_t*> rows;
+  for (int i = 0; i < n; ++i) rows.push_back(bytes.data() + i * 784);
+  Workers workers(1);
+  net::BatchGradient gradient(network.layout), single(network.layout);
+  std::vector<double> sum(network.parameters.size());
+  double error = 0;
+  for (const std::uint8_t* image : rows) {
+    error += single.find(network, 1, &image, 1, workers);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += single.gradient()[i];
+  }
+  EXPECT_NEAR(gradient.find(network, n, rows.data(), 1, workers) / error, 1, 1e-6);
+  double size = 0;
+  for (double g : sum) size = std::max(size, std::abs(g));
+  for (std::size_t i = 0; i < sum.size(); ++i) ASSERT_NEAR(gradient.gradient()[i], sum[i], 1e-5 * size) << i;
+  for (const int threads : {2, 3, 8}) {
+    Workers more(threads);
+    net::BatchGradient again(network.layout);
+    again.find(network, n, rows.data(), 1, more);
+    EXPECT_TRUE(std::equal(again.gradient(), again.gradient() + sum.size(), gradient.gradient())) << threads;
   }
 }
 

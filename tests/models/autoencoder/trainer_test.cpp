@@ -60,13 +60,12 @@ TEST(Trainer, TheFirstStepGoesDownEveryGradient) {
   network.initialise(Seed(1), static_cast<float>(settings.output_bias));
   std::vector<const std::uint8_t*> rows;
   for (std::size_t i = 0; i < 30; ++i) rows.push_back(train.pixels.data() + i * 784);
-  net::GradientSlot slot(network.layout);
-  slot.add(network, 30, rows.data(), 1.f / 30);
-  net::fold_subpixel(network.layout, slot.gradient().data());
+  net::BatchGradient gradient(network.layout);
+  gradient.find(network, 30, rows.data(), 1.f / 30, workers);
   for (const net::Layer& l : network.layout.layers)
     for (net::Index k = 0; k < l.inputs * l.stride; ++k) {
       const auto i = static_cast<std::size_t>(l.kernel + k);
-      const float g = slot.gradient()[i];
+      const float g = gradient.gradient()[i];
       if (std::abs(g) < 1e-6f) continue;
       ASSERT_NEAR(found[0][i] - network.parameters[i], g > 0 ? -1e-3 : 1e-3, 2e-5) << l.name;
     }
@@ -237,6 +236,7 @@ TEST(Collapse, IsTold) {
 
 TEST(Adam, FollowsItsDefinition) {
   net::Adam adam(3);
+  Workers workers(1);
   net::Floats parameters{1, -2, 3};
   std::vector<double> expected{1, -2, 3}, m(3), s(3);
   Rng rng{Seed(6)};
@@ -249,7 +249,7 @@ TEST(Adam, FollowsItsDefinition) {
       expected[i] -=
           0.01 * (m[i] / (1 - std::pow(0.9, t))) / (std::sqrt(s[i] / (1 - std::pow(0.999, t))) + 1e-8);
     }
-    adam.step(0.01, gradient, parameters);
+    adam.step(0.01, gradient, parameters, workers);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(parameters[i], expected[i], 1e-5);
   }
 }
