@@ -96,9 +96,9 @@ void train(benchmark::State& state, const std::vector<std::uint8_t>& images, int
   report(state, static_cast<double>(state.iterations()) * static_cast<double>(rows.size()), kTraining);
 }
 
-void TrainStrokes(benchmark::State& state) { train(state, stroke_images(128, Seed(1))); }
+void TrainDigits(benchmark::State& state) { train(state, digit_images(128, Seed(1))); }
 void TrainLit(benchmark::State& state) { train(state, lit_images(128)); }
-BENCHMARK(TrainStrokes)->Unit(benchmark::kMillisecond);
+BENCHMARK(TrainDigits)->Unit(benchmark::kMillisecond);
 BENCHMARK(TrainLit)->Unit(benchmark::kMillisecond);
 
 void describe(benchmark::State& state, const std::vector<std::uint8_t>& bytes) {
@@ -111,17 +111,17 @@ void describe(benchmark::State& state, const std::vector<std::uint8_t>& bytes) {
   report(state, static_cast<double>(state.iterations()) * static_cast<double>(n), kForward);
 }
 
-void DescribeStrokes(benchmark::State& state) {
-  describe(state, stroke_images(static_cast<int>(state.range(0)), Seed(1)));
+void DescribeDigits(benchmark::State& state) {
+  describe(state, digit_images(static_cast<int>(state.range(0)), Seed(1)));
 }
 void DescribeLit(benchmark::State& state) { describe(state, lit_images(static_cast<int>(state.range(0)))); }
-BENCHMARK(DescribeStrokes)->Arg(200)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(DescribeDigits)->Arg(200)->Arg(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(DescribeLit)->Arg(200)->Unit(benchmark::kMillisecond);
 
 void DescribeByPlainLoops(benchmark::State& state) {
   const net::Network net = network();
   const std::vector<double> parameters(net.parameters.begin(), net.parameters.end());
-  const auto image = as_floats(stroke_images(1, Seed(1)));
+  const auto image = as_floats(digit_images(1, Seed(1)));
   const reference::Maps maps(image.begin(), image.end());
   for (auto _ : state)
     benchmark::DoNotOptimize(reference::describe(net.layout, net.activations, parameters.data(), maps).error);
