@@ -98,6 +98,10 @@ void train(benchmark::State& state, const std::vector<std::uint8_t>& images, int
 
 void TrainDigits(benchmark::State& state) { train(state, digit_images(128, Seed(1))); }
 void TrainLit(benchmark::State& state) { train(state, lit_images(128)); }
+void TrainThreads(benchmark::State& state) {
+  train(state, digit_images(128, Seed(1)), static_cast<int>(state.range(0)));
+}
+BENCHMARK(TrainThreads)->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(TrainDigits)->Unit(benchmark::kMillisecond);
 BENCHMARK(TrainLit)->Unit(benchmark::kMillisecond);
 
