@@ -16,10 +16,11 @@
 // Other kinds of field: f.flag(key, bool&, meaning), f.text(key, std::string&, meaning),
 // f.numbers(key, std::vector<double or int>&, Range, meaning), f.texts(key, std::vector<std::string>&,
 // meaning), f.table(key, Struct&, meaning) and f.tables(key, std::vector<Struct>&, meaning) for nested
-// structs, f.named_texts(key, std::map<std::string, std::string>&, meaning) for a table of texts whose keys
-// may be any, f.raw_table(key, nlohmann::json&, meaning) for a table that is read elsewhere. number() takes
-// int, std::int64_t, std::uint64_t or double members; an integer member refuses a fraction. Every key of a
-// description is required and no other is allowed, so a profile says all there is to know.
+// structs, f.optional_tables(...) for one that may be left out and then has none, f.named_texts(key,
+// std::map<std::string, std::string>&, meaning) for a table of texts whose keys may be any, f.raw_table(key,
+// nlohmann::json&, meaning) for a table that is read elsewhere. number() takes int, std::int64_t,
+// std::uint64_t or double members; an integer member refuses a fraction. Every other key of a description is
+// required and no other is allowed, so a profile says all there is to know.
 #pragma once
 
 #include <cstdint>
@@ -83,6 +84,12 @@ class SettingsReader {
     value.assign(found ? found->size() : 0, S{});
     for (std::size_t i = 0; i < value.size(); ++i)
       read_table((*found)[i], pointer_ + "/" + key + "/" + std::to_string(i), value[i], meaning);
+  }
+
+  // None where the key is missing.
+  template <class S>
+  void optional_tables(const char* key, std::vector<S>& value, const char* meaning) {
+    if (table_.is_object() && table_.contains(key)) tables(key, value, meaning);
   }
 
   template <class S>
@@ -163,6 +170,10 @@ class SettingsWriter {
   void tables(const char* key, std::vector<S>& value, const char*) {
     table_[key] = nlohmann::json::array();
     for (S& each : value) table_[key].push_back(written(each));
+  }
+  template <class S>
+  void optional_tables(const char* key, std::vector<S>& value, const char* meaning) {
+    if (!value.empty()) tables(key, value, meaning);
   }
 
   template <class S>

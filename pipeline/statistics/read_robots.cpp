@@ -134,6 +134,10 @@ void read_dynamics(const std::vector<Artifact>& artifacts, StatisticsTable& tabl
         pooled.add(artifact, file, player + "/" + error, player + "_" + error, 1000);
       pooled.add(artifact, file, player + "/faster", player + "_faster", 1);
       for (const char* load : {"torque", "speed"}) add_loads(pooled, artifact, file, player, load);
+      if (!file.has(player + "/margin")) continue;  // it stands on no sole
+      pooled.add(artifact, file, player + "/margin", player + "_margin", 1000);
+      pooled.add(artifact, file, player + "/grip", player + "_grip", 1);
+      add_share(table, artifact, player + "_tips", flags(file, player + "/tips"), {});
     }
   }
   pooled.write_boxes();

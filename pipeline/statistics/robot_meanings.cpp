@@ -37,6 +37,9 @@ constexpr std::array kOfReplays = {
     Entry{"off_board", "%", "{}: digits whose pen goes farther from the board than it draws"},
     Entry{"beyond_limit", "%", "{}: digits that ask a joint for more than its limit"},
     Entry{"lost", "%", "{}: digits that the judge could read and can not any more, or reads otherwise"},
+    Entry{"margin", "mm", "{}: how far inside the sole the centre of pressure stays in a digit, at least"},
+    Entry{"grip", "", "{}: coefficient of friction that a digit needs under the sole"},
+    Entry{"tips", "%", "{}: digits whose centre of pressure leaves the sole"},
     Entry{"faster", "times", "{}: pace at which a joint reaches a limit, over the profile's"},
 };
 

@@ -100,6 +100,14 @@ std::string measured_words(const StatisticsView& statistics, const std::string& 
         "at {} times the pace",
         words, format_number(rms->all.median), format_quantity(torque->all.median, "%"),
         format_number(faster->all.median));
+    const auto margin = statistics.box(name + player + "_margin");
+    if (margin)
+      text +=
+          fmt::format(", the centre of pressure {} mm inside the sole", format_number(margin->all.median));
+    const std::vector<double> tips = statistics.quantity(name + player + "_tips");
+    if (!tips.empty())
+      text += fmt::format(", outside it in {} of the digits",
+                          format_quantity(summarise(tips, player.c_str()).median, "%"));
   }
   return text.empty() ? "" : text + ".";
 }
@@ -145,6 +153,10 @@ Figure dynamics_figure(const Evidence& evidence, const std::string& id) {
   else
     add(greatest(evidence.statistics, name + "arm_speed_of.", 5),
         {.title = "Speeds of the drawing joints", .unit = "% of the limit", .from_zero = true, .span = 3});
+  add(of({"whole_margin"}),
+      {.title = "Centre of pressure inside the sole", .unit = "mm", .from_zero = true, .span = 3});
+  add(of({"whole_grip"}),
+      {.title = "Friction that the sole needs", .unit = "coefficient", .from_zero = true, .span = 3});
   figure.caption =
       "Some of the digits, replayed in a physical simulation with the masses, inertias and limits of the "
       "robot’s description. Before: straight from elite to elite. Asked: the smooth way of the joints that "
@@ -155,7 +167,9 @@ Figure dynamics_figure(const Evidence& evidence, const std::string& id) {
       "computed "
       "torque, all others locked. Body: all joints move; those that do not draw are held by springs and "
       "dampers, "
-      "and one foot (or the base) stands still. Loads are what the controller asked for; above 100 % it did "
+      "and one foot (or the base) stands still. Where a foot stands, the ground’s reaction must push within "
+      "the hull of all that touches the floor at rest, both feet for NAO; below 0 the robot would tip. Loads "
+      "are what the controller asked for; above 100 % it did "
       "not "
       "get it. The pace is that at which inverse dynamics reaches a limit of torque or speed. Whiskers: "
       "within "

@@ -177,6 +177,16 @@ void describe(Fields& f, RobotPictureTable& s) {
            "of the posture's picture, pixels; the strip's is in proportion");
 }
 
+// A robot, and what only its dynamics ask for.
+struct RobotRow : RobotSettings {
+  std::vector<GearSettings> gears;
+};
+template <class Fields>
+void describe(Fields& f, RobotRow& s) {
+  describe(f, static_cast<RobotSettings&>(s));
+  f.optional_tables("gears", s.gears, "friction and play of joints that draw; none where a joint has none");
+}
+
 struct Profile {
   std::string name;
   std::uint64_t seed = 0;
@@ -203,7 +213,7 @@ struct Profile {
   RobotShapeTable robot_shape;
   DynamicsTable dynamics;
   TuningTable tuning;
-  std::vector<RobotSettings> robots;
+  std::vector<RobotRow> robots;
   std::vector<ProfileVariation> variations;
   ReadingsTable readings;
 };

@@ -32,8 +32,11 @@ void plan_points(Plan& plan, const RobotSettings& robot, const nlohmann::json& b
   }
 }
 
-void plan_transfer(Plan& plan, const RobotSettings& robot) {
+void plan_transfer(Plan& plan, const RobotRow& robot) {
   const Profile& p = plan.profile();
+  const bool stands = !robot.stands_on.empty();  // on what it looks like
+  auto gears = nlohmann::json::array();
+  for (const GearSettings& gear : robot.gears) gears.push_back(settings_to_json(gear));
   const auto stack = transferred(plan);
   for (int r = 0; r < p.replications.digits; ++r) {
     Inputs by_robot = over(plan, "robot", stack, &robot, r);
@@ -49,11 +52,13 @@ void plan_transfer(Plan& plan, const RobotSettings& robot) {
                   {{"transfer", settings_to_json(p.transfer)}, {"pencil", stack.back()->settings["pencil"]}}),
              both, {robot.urdf});
     append(by_robot, {{"dataset", "dataset.h5"}, {"judge", "judge.h5"}});
+    if (stands) append(by_robot, meshes_of(plan, robot));
     plan.add("robot_dynamics", robot.name + "_dynamics", r,
              with(plan.run(r), {{"dynamics", settings_to_json(p.dynamics)},
-                                {"robot", settings_to_json(robot)},
+                                {"robot", settings_to_json<RobotSettings>(robot)},
+                                {"gears", gears},
                                 {"pencil", stack.back()->settings["pencil"]}}),
-             by_robot, {robot.urdf});
+             by_robot, stands ? looks_of(robot) : std::vector<std::string>{robot.urdf});
   }
 }
 
@@ -132,8 +137,8 @@ void plan_tuning(Plan& plan, const std::string& name, const RobotSettings* robot
 void plan_robots(Plan& plan) {
   const Profile& p = plan.profile();
   if (p.replications.digits == 0 || p.robots.empty()) return;
-  for (const RobotSettings& robot : p.robots) {
-    plan_points(plan, robot, {{"robot", settings_to_json(robot)}});
+  for (const RobotRow& robot : p.robots) {
+    plan_points(plan, robot, {{"robot", settings_to_json<RobotSettings>(robot)}});
     plan_transfer(plan, robot);
     plan_numbers(plan, robot);
     plan_picture(plan, robot);

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "models/judge/judge.h"
+#include "models/robot/looks/standing.h"
+#include "models/robot/looks/visible_links.h"
 #include "models/robot/plane/drawing_servos.h"
 #include "models/robot/plane/posture_path.h"
 #include "pipeline/artifact/run_settings.h"
@@ -21,9 +23,14 @@
 namespace hbr {
 namespace {
 
+constexpr double kTouching = 1e-3;  // m above the lowest place: it touches the floor
+constexpr double kFarOutside = 1;   // m outside the sole, at most: where the ground would have to pull
+constexpr double kNoGrip = 100;     // likewise
+
 struct DynamicsSlice : RunTable {
   DynamicsTable dynamics;
   RobotSettings robot;
+  std::vector<GearSettings> gears;
   PencilSettings pencil;
 };
 template <class Fields>
@@ -32,6 +39,7 @@ void describe(Fields& f, DynamicsSlice& s) {
   f.table("pencil", s.pencil, "of the digits");
   f.table("dynamics", s.dynamics, "how the digits are replayed");
   f.table("robot", s.robot, "the robot");
+  f.tables("gears", s.gears, "friction and play of its joints");
 }
 
 // Images [n x 28 x 28], and how they differ from those before.
@@ -65,10 +73,12 @@ struct Player {
   std::vector<std::uint8_t> beyond_limit;    // [n] 1: more torque or speed was asked for than there is
   std::vector<std::int32_t> limit_joint;     // [n]
   std::vector<std::uint8_t> by_torque;       // [n]
+  std::vector<float> margin, grip;           // [n] of what stands on a sole, m and a coefficient
+  std::vector<std::uint8_t> tips;            // [n] 1: the centre of pressure left the sole
 
-  Player(std::string player, std::shared_ptr<const Body> body, const RobotSettings& robot, std::size_t n)
+  Player(std::string player, DrawingServos moved_by, std::size_t n)
       : name(std::move(player)),
-        servos(std::move(body), robot),
+        servos(std::move(moved_by)),
         drawn(n),
         rms(n),
         worst(n),
@@ -79,7 +89,10 @@ struct Player {
         off_board(n),
         beyond_limit(n),
         limit_joint(n),
-        by_torque(n) {}
+        by_torque(n),
+        margin(n),
+        grip(n),
+        tips(n) {}
 
   std::size_t dof() const { return static_cast<std::size_t>(servos.body().dof()); }
 
@@ -97,6 +110,9 @@ struct Player {
     faster[i] = static_cast<float>(fastest.factor);
     limit_joint[i] = fastest.joint;
     by_torque[i] = fastest.by_torque;
+    margin[i] = static_cast<float>(std::max(replay.margin, -kFarOutside));
+    grip[i] = static_cast<float>(std::min(replay.grip, kNoGrip));
+    tips[i] = replay.margin < 0;
   }
 
   void write(Hdf5Writer& file) const {
@@ -112,6 +128,11 @@ struct Player {
     file.write(name + "/beyond_limit", beyond_limit);
     file.write(name + "/limit_joint", limit_joint);
     file.write(name + "/by_torque", by_torque);
+    if (servos.stands()) {
+      file.write(name + "/margin", margin);
+      file.write(name + "/grip", grip);
+      file.write(name + "/tips", tips);
+    }
     file.attribute(name + ".joints", fmt::format("{}", fmt::join(servos.body().moving(), " ")));
   }
 };
@@ -139,8 +160,27 @@ std::string losses(const Player& player, const std::vector<std::uint8_t>& lost, 
       std::ranges::count(player.off_board, 1), n,
       fmt::format("leave the board, by up to {:.1f} mm", 1000 * *std::ranges::max_element(player.off_plane)));
   tell(std::ranges::count(player.beyond_limit, 1), n, "ask a joint for more than its limit");
+  if (player.servos.stands())
+    tell(std::ranges::count(player.tips, 1), n,
+         fmt::format("tip the robot over its sole, its centre of pressure up to {:.1f} mm outside",
+                     -1000 * *std::ranges::min_element(player.margin)));
   tell(std::ranges::count(lost, 1), readable, "that could be read read otherwise or not at all");
   return fmt::format("{}", fmt::join(words, "; "));
+}
+
+// What a robot stands on, if it stands on a link: what touches the floor at rest. Told where it has no sole.
+std::optional<Support> sole(const StageRun& stage, const Body& body, const RobotSettings& robot) {
+  if (robot.stands_on.empty()) return {};
+  const auto folder = stage.has_input("meshes") ? stage.input("meshes") : std::filesystem::path(robot.meshes);
+  std::vector<std::string> odd;
+  const auto shapes = visible_links(body.model(), folder, robot.mesh_scale, odd);
+  for (const std::string& line : odd) fmt::print(stderr, "{}: {}\n", robot.name, line);
+  try {
+    return Support(shape_corners(body, shapes, body.posture(robot.rest())), kTouching);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "{}: no centre of pressure: {}\n", robot.name, error.what());
+    return {};
+  }
 }
 
 // The movement along configurations, at the profile's pace or, where that asks a joint of one of the bodies
@@ -175,12 +215,15 @@ void run(StageRun& stage) {
   std::vector<float> duration(n), travel(n), travel_of_elites(n);
   std::vector<std::uint8_t> before_images(n * kImagePixels);
   Drawn wanted_images(n), by_elites(n);
-  Player arm("arm", std::make_shared<const Body>(robot.body().model(), s.robot.joints, s.robot.rest()),
-             s.robot, n);
+  Player arm(
+      "arm",
+      {std::make_shared<const Body>(robot.body().model(), s.robot.joints, s.robot.rest()), s.robot, s.gears},
+      n);
   std::vector<Player*> players{&arm};
   std::optional<Player> whole;
   if (auto body = whole_body(robot.body().model(), s.robot, s.dynamics.lightest)) {
-    whole.emplace("whole", std::move(body), s.robot, n);
+    std::optional<Support> stands = sole(stage, *body, s.robot);
+    whole.emplace("whole", DrawingServos(std::move(body), s.robot, s.gears, std::move(stands)), n);
     players.push_back(&*whole);
   }
 

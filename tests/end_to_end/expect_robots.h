@@ -125,6 +125,14 @@ class RobotArtifacts {
         EXPECT_EQ(beyond[i], greatest > 1);
         EXPECT_LT(off[i], 1) << "m of the robot";
       }
+      EXPECT_EQ(file.has(player + "/margin"), player == "whole" && robot.starts_with("nao"));
+      if (file.has(player + "/margin")) {
+        const auto margin = file.read<float>(player + "/margin").values;
+        const auto tips = file.read<std::uint8_t>(player + "/tips").values;
+        for (std::size_t i = 0; i < id.size(); ++i) EXPECT_EQ(tips[i], margin[i] < 0);
+        EXPECT_GT(*std::ranges::max_element(margin), 0) << "NAO stands";
+        EXPECT_LT(*std::ranges::max_element(margin), 0.1f) << "m: half of its soles";
+      }
       if (player == "arm") {
         EXPECT_LT(*std::ranges::max_element(rms), 0.02f) << "m of the robot";
       }

@@ -92,6 +92,11 @@ class SyntheticRobots : public SyntheticLayers {
           }
           file.write(player + "/" + load, shares);
         }
+        if (player == "whole") {
+          file.write("whole/margin", around(0.02f));
+          file.write("whole/grip", around(0.1f));
+          file.write("whole/tips", every(3));
+        }
         file.attribute(player + ".joints", std::string("Shoulder Elbow"));
       }
       file.close();

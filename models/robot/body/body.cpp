@@ -162,6 +162,15 @@ void Body::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speed
   tree_->equations(joints, speeds, gravity, out);
 }
 
+Wrench Body::reaction(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                      const Eigen::VectorXd& accelerations, const Eigen::Vector3d& gravity) const {
+  HBR_CHECK(joints.size() == dof() && speeds.size() == dof() && accelerations.size() == dof(),
+            "joints {}, speeds {}, accelerations {}, expected {}", joints.size(), speeds.size(),
+            accelerations.size(), dof());
+  if (!plan_->impossible.empty()) throw InputError("{}", plan_->impossible);
+  return tree_->reaction(joints, speeds, accelerations, gravity);
+}
+
 std::vector<bool> Body::moves(int link) const {
   // The joints of the parts from the link to the root, or from what stands still to the root, but not of
   // both.

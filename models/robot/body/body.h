@@ -64,6 +64,11 @@ class Body {
   void equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds, const Eigen::Vector3d& gravity,
                  Equations& out) const;
 
+  // What the ground gives to the link that stands still, so that the joints have these accelerations [dof].
+  // Throws as equations() does.
+  Wrench reaction(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                  const Eigen::VectorXd& accelerations, const Eigen::Vector3d& gravity) const;
+
   // The coordinates that move this link.
   std::vector<bool> moves(int link) const;
 

@@ -1,7 +1,6 @@
 #include "models/robot/body/motion_tree.h"
 
 namespace hbr {
-namespace {
 
 // Six-dimensional vectors about the origin of the ground's frame: of motion, the velocity of the body and
 // that of its point at the origin; of force, the moment about the origin and the force.
@@ -12,14 +11,6 @@ struct Spatial {
   Spatial operator*(double s) const { return {s * turning, s * straight}; }
   double dot(const Spatial& b) const { return turning.dot(b.turning) + straight.dot(b.straight); }
 };
-
-// How a motion changes that is carried along by the motion v; and a force.
-Spatial carried_motion(const Spatial& v, const Spatial& m) {
-  return {v.turning.cross(m.turning), v.turning.cross(m.straight) + v.straight.cross(m.turning)};
-}
-Spatial carried_force(const Spatial& v, const Spatial& f) {
-  return {v.turning.cross(f.turning) + v.straight.cross(f.straight), v.turning.cross(f.straight)};
-}
 
 // Of a rigid body, about the origin.
 struct SpatialInertia {
@@ -37,25 +28,38 @@ struct SpatialInertia {
   }
 };
 
+namespace {
+
+// How a motion changes that is carried along by the motion v; and a force.
+Spatial carried_motion(const Spatial& v, const Spatial& m) {
+  return {v.turning.cross(m.turning), v.turning.cross(m.straight) + v.straight.cross(m.turning)};
+}
+Spatial carried_force(const Spatial& v, const Spatial& f) {
+  return {v.turning.cross(f.turning) + v.straight.cross(f.straight), v.turning.cross(f.straight)};
+}
+
 // The inertia that a mass in one point has about the origin.
 Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& c) {
   return mass * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
 }
 
-struct MovingLimb {
+}  // namespace
+
+struct MotionTree::MovingLimb {
   Eigen::Isometry3d pose;
   Spatial axis;              // of the joint: the motion of what it carries, for a speed of 1
   Spatial speed;             // of the part
-  Spatial acceleration;      // with the joints' accelerations 0, and with gravity
-  Spatial force;             // on the part and on what it carries
-  SpatialInertia composite;  // of the part and what it carries
+  Spatial acceleration;      // with gravity
+  Spatial force;             // on the part, and in the end on what it carries
+  SpatialInertia composite;  // likewise
 };
-
-}  // namespace
 
 MotionTree::MotionTree(const RobotModel& model, const Parts& parts, int ground, const Eigen::Isometry3d& pose,
                        Eigen::Index dof)
-    : pose_(pose), dof_(dof) {
+    : pose_(pose),
+      ground_mass_(parts.parts[ground].mass),
+      ground_centre_(pose * parts.parts[ground].centre),
+      dof_(dof) {
   struct Grown {
     int part, limb;  // the part, and its place among the limbs
   };
@@ -80,11 +84,12 @@ MotionTree::MotionTree(const RobotModel& model, const Parts& parts, int ground, 
   }
 }
 
-void MotionTree::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
-                           const Eigen::Vector3d& gravity, Equations& out) const {
-  const std::size_t n = limbs_.size();
-  std::vector<MovingLimb> moving(n);
-  for (std::size_t i = 0; i < n; ++i) {
+std::vector<MotionTree::MovingLimb> MotionTree::moved(const Eigen::VectorXd& joints,
+                                                      const Eigen::VectorXd& speeds,
+                                                      const Eigen::VectorXd* accelerations,
+                                                      const Eigen::Vector3d& gravity) const {
+  std::vector<MovingLimb> moving(limbs_.size());
+  for (std::size_t i = 0; i < moving.size(); ++i) {
     const Limb& limb = limbs_[i];
     MovingLimb& now = moving[i];
     const double position = limb.multiplier * joints[limb.coordinate] + limb.offset,
@@ -110,6 +115,8 @@ void MotionTree::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd&
       now.acceleration = moving[limb.on].acceleration;
     }
     now.acceleration = now.acceleration + carried_motion(now.speed, own);
+    if (accelerations)
+      now.acceleration = now.acceleration + now.axis * (limb.multiplier * (*accelerations)[limb.coordinate]);
 
     const Eigen::Vector3d centre = now.pose * limb.centre;
     now.composite = {
@@ -117,11 +124,16 @@ void MotionTree::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd&
         now.pose.linear() * limb.inertia * now.pose.linear().transpose() + point_inertia(limb.mass, centre)};
     now.force = now.composite * now.acceleration + carried_force(now.speed, now.composite * now.speed);
   }
+  return moving;
+}
 
+void MotionTree::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                           const Eigen::Vector3d& gravity, Equations& out) const {
+  std::vector<MovingLimb> moving = moved(joints, speeds, nullptr, gravity);
   // Joints that follow others add up in the coordinate that they follow.
   out.mass.setZero(dof_, dof_);
   out.bias.setZero(dof_);
-  for (std::size_t i = n; i-- > 0;) {
+  for (std::size_t i = moving.size(); i-- > 0;) {
     const Limb& limb = limbs_[i];
     const MovingLimb& now = moving[i];
     out.bias[limb.coordinate] += limb.multiplier * now.axis.dot(now.force);
@@ -137,6 +149,15 @@ void MotionTree::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd&
       moving[limb.on].force = moving[limb.on].force + now.force;
     }
   }
+}
+
+Wrench MotionTree::reaction(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                            const Eigen::VectorXd& accelerations, const Eigen::Vector3d& gravity) const {
+  const Eigen::Vector3d weight = ground_mass_ * gravity;
+  Spatial all{-ground_centre_.cross(weight), -weight};
+  // Every force but the ground's is one between two limbs.
+  for (const MovingLimb& limb : moved(joints, speeds, &accelerations, gravity)) all = all + limb.force;
+  return {all.turning, all.straight};
 }
 
 }  // namespace hbr

@@ -17,6 +17,11 @@ struct Equations {
   Eigen::VectorXd bias;  // [dof], N m (N)
 };
 
+// A force and its moment about the origin of the root link's frame, N and N m.
+struct Wrench {
+  Eigen::Vector3d moment, force;
+};
+
 class MotionTree {
  public:
   // The part `ground` stands still at `pose`; joints on the way from there to part 0 move their parents.
@@ -26,6 +31,10 @@ class MotionTree {
   // At these joints and speeds [dof] under uniform gravity, m/s^2. Thread-safe.
   void equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds, const Eigen::Vector3d& gravity,
                  Equations& out) const;
+
+  // What the ground gives to the part that stands still, so that the others have these accelerations [dof].
+  Wrench reaction(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                  const Eigen::VectorXd& accelerations, const Eigen::Vector3d& gravity) const;
 
  private:
   // A part that moves, hung on one before it in this list; -1 is the ground.
@@ -42,8 +51,15 @@ class MotionTree {
     Eigen::Matrix3d inertia;  // about the centre, in the part's frame
   };
 
+  struct MovingLimb;
+  // Every limb as it moves, with the forces on itself alone; without accelerations those of the joints are 0.
+  std::vector<MovingLimb> moved(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
+                                const Eigen::VectorXd* accelerations, const Eigen::Vector3d& gravity) const;
+
   Eigen::Isometry3d pose_;
-  std::vector<Limb> limbs_;  // carriers before what they carry
+  double ground_mass_;             // of the part that stands still
+  Eigen::Vector3d ground_centre_;  // of that mass
+  std::vector<Limb> limbs_;        // carriers before what they carry
   Eigen::Index dof_;
 };
 

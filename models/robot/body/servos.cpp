@@ -45,14 +45,28 @@ bool moves_mass(const RobotModel& model, int joint) {
   return true;
 }
 
+// How the body stands under these torques.
+void stand(const Body& body, const Motion& motion, const Eigen::VectorXd& torques, const Support& support,
+           Replay& result) {
+  const Equations& equations = motion.equations();
+  const Wrench reaction = body.reaction(motion.joints(), motion.speeds(),
+                                        equations.mass.llt().solve(torques - equations.bias), kGravity);
+  result.margin = std::min(result.margin, support.margin(reaction));
+  result.grip = std::max(result.grip, needed_grip(reaction));
+}
+
 constexpr double per_second(double hz) { return 2 * std::numbers::pi * hz; }
 
-// Computed torques of the joints that draw.
-void command_torques(const Motion& motion, const JointPath::Point& wanted, const std::vector<int>& drawing,
-                     double hz, Eigen::VectorXd& torques) {
+// What the servos of the joints that draw want of their motors.
+Eigen::VectorXd wanted_accelerations(const Motors& motors, const JointPath::Point& wanted, double hz) {
   const double w = per_second(hz);
-  const Eigen::VectorXd acceleration = wanted.acceleration + 2 * w * (wanted.velocity - motion.speeds()) +
-                                       w * w * (wanted.position - motion.joints());
+  return wanted.acceleration + 2 * w * (wanted.velocity - motors.speeds()) +
+         w * w * (wanted.position - motors.positions());
+}
+
+// Computed torques of the joints that draw.
+void command_torques(const Motion& motion, const Eigen::VectorXd& acceleration,
+                     const std::vector<int>& drawing, Eigen::VectorXd& torques) {
   for (const int i : drawing) {
     torques[i] = motion.equations().bias[i];
     for (const int k : drawing) torques[i] += motion.equations().mass(i, k) * acceleration[k];
@@ -101,13 +115,18 @@ ServoLimits servo_limits(const Body& body) {
 }
 
 Replay replay(const Body& body, int tip, const JointPath& path, const std::vector<int>& drawing,
-              const Eigen::VectorXd& posture, const ServoSettings& settings) {
+              const Eigen::VectorXd& posture, const ServoSettings& settings, const Mechanics& mechanics) {
   HBR_CHECK(static_cast<Eigen::Index>(drawing.size()) == path.dof() && posture.size() == body.dof(),
             "drawing {}, path {}, posture {}, body {}", drawing.size(), path.dof(), posture.size(),
             body.dof());
   const Eigen::Index dof = body.dof();
   const ServoLimits limits = servo_limits(body);
-  Motion motion(body, in_body(path.at(0), drawing, posture).position, Eigen::VectorXd::Zero(dof));
+  const Gears& gears = mechanics.gears;
+  const Eigen::VectorXd start = in_body(path.at(0), drawing, posture).position;
+  Equations held;
+  body.equations(start, Eigen::VectorXd::Zero(dof), kGravity, held);
+  Motion motion(body, Motors::joints_under(gears, start, held.bias), Eigen::VectorXd::Zero(dof));
+  Motors motors(gears, motion.joints(), held.bias);
   Replay result{{}, {}, Eigen::VectorXd::Zero(dof), Eigen::VectorXd::Zero(dof)};
   const Springs springs = holding_springs(motion, drawing, settings.holding_hz);
   Eigen::VectorXd torques = motion.equations().bias;  // the weight; those of joints that draw change below
@@ -118,7 +137,8 @@ Replay replay(const Body& body, int tip, const JointPath& path, const std::vecto
     const JointPath::Point wanted = in_body(path.at(command * period), drawing, posture);
     result.wanted.push_back(body.position(tip, wanted.position.data()));
     result.tip.push_back(body.position(tip, motion.joints().data()));
-    command_torques(motion, wanted, drawing, settings.drawing_hz, torques);
+    const Eigen::VectorXd accelerations = wanted_accelerations(motors, wanted, settings.drawing_hz);
+    command_torques(motion, accelerations, drawing, torques);
     if (!torques.allFinite())
       throw InputError("{}: the movement is unstable; expected a smaller step or softer servos",
                        body.model().path.string());
@@ -126,7 +146,12 @@ Replay replay(const Body& body, int tip, const JointPath& path, const std::vecto
       const Eigen::VectorXd asked = torques + motion.spring_torques(springs, torques, settings.step);
       raise(result.torque, asked, limits.torque);
       raise(result.speed, motion.speeds(), limits.speed);
-      motion.step(given_torques(motion, asked, torques, springs, limits, settings.step), settings.step);
+      const Eigen::VectorXd given = given_torques(motion, asked, torques, springs, limits, settings.step);
+      Eigen::VectorXd driven = motors.handed_on(given);
+      if (gears.rub()) driven += friction_torques(gears, motion, driven, settings.step);
+      if (mechanics.support && step == 0) stand(body, motion, driven, *mechanics.support, result);
+      motion.step(driven, settings.step);
+      motors.follow(motion, given, accelerations, settings.step);
     }
   }
   return result;

@@ -1,10 +1,13 @@
 // Servos of joints, and what they make of a path.
 #pragma once
 
+#include <limits>
 #include <vector>
 
+#include "models/robot/body/gears.h"
 #include "models/robot/body/joint_path.h"
 #include "models/robot/body/motion.h"
+#include "models/robot/body/support.h"
 
 namespace hbr {
 
@@ -27,15 +30,25 @@ struct Replay {
   // [dof] the greatest that was asked for, as a share of the limit (above 1: more than there was); 0 where
   // there is no limit.
   Eigen::VectorXd torque, speed;
+  // Where the body has a sole: how far the centre of pressure was inside it at least, m (Support), and the
+  // coefficient of friction that kept the sole from slipping.
+  double margin = std::numeric_limits<double>::infinity(), grip = 0;
+};
+
+// What a movement meets besides inertia and weight.
+struct Mechanics {
+  Gears gears;                       // empty: none
+  const Support* support = nullptr;  // of a body that stands on a sole
 };
 
 // Joint `drawing[k]` of the body follows joint k of the path by computed torque: what the equations of motion
 // ask for the path's acceleration and for the correction of errors, were the other joints rigid. These hold
 // where `posture` has them: by the torques that bear the weight at the start, and as springs and dampers that
 // fit the inertia that each of them bears alone there. A torque beyond its limit is cut off, and a joint
-// beyond its top speed gets none in that direction.
+// beyond its top speed gets none in that direction. The servos know nothing of the gears: they measure the
+// motors, which stand at the start where the path does.
 Replay replay(const Body& body, int tip, const JointPath& path, const std::vector<int>& drawing,
-              const Eigen::VectorXd& posture, const ServoSettings& settings);
+              const Eigen::VectorXd& posture, const ServoSettings& settings, const Mechanics& mechanics = {});
 
 // How much faster than the path the movement can be until a joint reaches its torque or speed limit (inverse
 // dynamics at the path's points `every` seconds apart, the other joints rigid).

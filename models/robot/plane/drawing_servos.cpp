@@ -1,5 +1,7 @@
 #include "models/robot/plane/drawing_servos.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -29,14 +31,29 @@ std::vector<float> pen_of(const std::vector<Eigen::Vector3d>& tip, const Drawing
   return pen;
 }
 
-DrawingServos::DrawingServos(std::shared_ptr<const Body> body, const RobotSettings& robot)
-    : body_(std::move(body)), posture_(body_->posture(robot.rest())) {
+DrawingServos::DrawingServos(std::shared_ptr<const Body> body, const RobotSettings& robot,
+                             const std::vector<GearSettings>& gears, std::optional<Support> support)
+    : body_(std::move(body)), posture_(body_->posture(robot.rest())), support_(std::move(support)) {
   for (const std::string& joint : robot.joints) {
     const auto at = std::ranges::find(body_->moving(), joint);
     if (at == body_->moving().end())
       throw InputError("robot '{}': joint '{}' moves less than dynamics.lightest; expected a lower one",
                        robot.name, joint);
     drawing_.push_back(static_cast<int>(at - body_->moving().begin()));
+  }
+  if (gears.empty()) return;
+  for (Eigen::ArrayXd* each : {&gears_.viscous, &gears_.coulomb, &gears_.play}) each->setZero(body_->dof());
+  for (std::size_t i = 0; i < gears.size(); ++i) {
+    const GearSettings& gear = gears[i];
+    const auto at = std::ranges::find(robot.joints, gear.joint);
+    const auto joint_of = [&](const GearSettings& other) { return other.joint == gear.joint; };
+    if (at == robot.joints.end() || std::any_of(gears.begin(), gears.begin() + i, joint_of))
+      throw InputError("robot '{}': gears: '{}'; expected each of its joints that draw at most once: {}",
+                       robot.name, gear.joint, fmt::join(robot.joints, ", "));
+    const int joint = drawing_[static_cast<std::size_t>(at - robot.joints.begin())];
+    gears_.viscous[joint] = gear.viscous;
+    gears_.coulomb[joint] = gear.coulomb;
+    gears_.play[joint] = gear.play;
   }
 }
 

@@ -1,6 +1,10 @@
 // The servos of a body that replays what a robot draws.
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <vector>
+
 #include "models/robot/body/servos.h"
 #include "models/robot/plane/robot_on_plane.h"
 
@@ -18,13 +22,17 @@ std::vector<float> pen_of(const std::vector<Eigen::Vector3d>& tip, const Drawing
 
 class DrawingServos {
  public:
-  // Of the robot's table the joints that draw, and the posture in which the body's others hold. Throws
-  // InputError where the body lacks one of the joints that draw.
-  DrawingServos(std::shared_ptr<const Body> body, const RobotSettings& robot);
+  // Of the robot's table the joints that draw, and the posture in which the body's others hold; what the
+  // gears of some lose; the sole that the body stands on, if it does. Throws InputError where the body lacks
+  // one of the joints that draw, or where a gear's joint is none of these or has another gear.
+  DrawingServos(std::shared_ptr<const Body> body, const RobotSettings& robot,
+                const std::vector<GearSettings>& gears = {}, std::optional<Support> support = {});
 
   const Body& body() const { return *body_; }
+  bool stands() const { return support_.has_value(); }
   Replay replay(int tip, const JointPath& path, const ServoSettings& servos) const {
-    return hbr::replay(*body_, tip, path, drawing_, posture_, servos);
+    return hbr::replay(*body_, tip, path, drawing_, posture_, servos,
+                       {gears_, support_ ? &*support_ : nullptr});
   }
   Fastest fastest(const JointPath& path, double every) const {
     return hbr::fastest(*body_, path, drawing_, posture_, every);
@@ -34,6 +42,8 @@ class DrawingServos {
   std::shared_ptr<const Body> body_;
   std::vector<int> drawing_;  // the body's joints that draw, in the order of the path's
   Eigen::VectorXd posture_;
+  Gears gears_;
+  std::optional<Support> support_;
 };
 
 // The robot with all joints that move at least that inertia, kg m^2, on the link that it stands on; none

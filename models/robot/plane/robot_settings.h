@@ -69,4 +69,19 @@ void describe(Fields& f, RobotSettings& s) {
            "how far from the plane the pen still draws, metres of the robot");
 }
 
+// Of one of the joints that draw, what it loses between motor and link.
+struct GearSettings {
+  std::string joint;
+  double viscous = 0, coulomb = 0, play = 0;
+};
+template <class Fields>
+void describe(Fields& f, GearSettings& s) {
+  f.text("joint", s.joint, "one of those that draw");
+  f.number("viscous", s.viscous, Range{0, 1e4},
+           "friction that grows with the speed, N m s/rad (N s/m where it slides)");
+  f.number("coulomb", s.coulomb, Range{0, 1e4},
+           "friction of the same torque at any speed, which holds the joint still, N m (N)");
+  f.number("play", s.play, Range{0, 1}, "how far the joint moves while its motor stands, rad (m)");
+}
+
 }  // namespace hbr

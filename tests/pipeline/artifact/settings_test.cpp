@@ -132,6 +132,29 @@ TEST_F(Settings, JsonRoundTripIsExactAndCanonical) {
             R"({"generations":3,"selector":"uniform","spacing":1.0})");
 }
 
+struct MayHaveVariants {
+  std::string title;
+  std::vector<Search> variants;
+};
+template <class Fields>
+void describe(Fields& f, MayHaveVariants& s) {
+  f.text("title", s.title, "a title");
+  f.optional_tables("variants", s.variants, "its variants, if any");
+}
+
+// What is left out reads as none and is not written, so that who never heard of it sees no difference.
+TEST_F(Settings, TablesMayBeLeftOut) {
+  write("title = \"x\"\n");
+  auto s = read_profile<MayHaveVariants>(file_);
+  EXPECT_TRUE(s.variants.empty());
+  EXPECT_EQ(settings_to_json(s).dump(), R"({"title":"x"})");
+  s.variants = {{1, 1.0, "curiosity"}};
+  EXPECT_EQ(settings_from_json<MayHaveVariants>(settings_to_json(s), "slice").variants, s.variants);
+  write("title = \"x\"\n[[variants]]\ngenerations = 1\n");
+  EXPECT_THAT([&] { read_profile<MayHaveVariants>(file_); },
+              testing::ThrowsMessage<InputError>(HasSubstr("missing key 'variants.0.spacing'")));
+}
+
 TEST_F(Settings, ErrorsSayWhereWhatAndHow) {
   EXPECT_EQ(complaint("generations = 100", "generation = 100"),
             ":10:1: unknown key 'search.generation' (did you mean 'generations'?)");

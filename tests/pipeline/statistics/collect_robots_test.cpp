@@ -85,6 +85,9 @@ TEST(CollectRobots, DynamicsOfDigitsAndJoints) {
   const json found = collect_statistics("tiny", experiment.artifacts());
   EXPECT_EQ(found["numbers"]["dynamics.nao.digits"]["value"], 18);
   EXPECT_NEAR(found["boxes"]["dynamics.nao.arm_rms"]["median"].get<double>(), 0.06, 0.012);
+  EXPECT_NEAR(found["boxes"]["dynamics.nao.whole_margin"]["median"].get<double>(), 20, 4);  // mm
+  EXPECT_EQ(found["quantities"]["dynamics.nao.whole_tips"]["values"][0], 100 * 3.0 / 9);
+  EXPECT_FALSE(found["boxes"].contains("dynamics.nao.arm_margin"));
   // The second joint always bears the most.
   for (const char* statistic : {"min", "median", "max"}) {
     const auto of = [&](const char* name) { return found["boxes"][name][statistic].get<double>(); };

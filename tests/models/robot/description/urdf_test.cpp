@@ -22,7 +22,7 @@ std::string visual(const std::string& more) {
   return inertial() + "<visual>" + more + "<geometry><sphere radius=\"1\"/></geometry></visual>";
 }
 
-std::string two_links(const std::string& second) { return robot(link("a") + second); }
+std::string first_and(const std::string& second) { return robot(link("a") + second); }
 
 std::vector<Bad> bad_urdfs() {
   const std::string ab = link("a") + link("b");
@@ -58,23 +58,23 @@ std::vector<Bad> bad_urdfs() {
       {"Cycle", robot(ab + joint("j", "a", "b") + joint("k", "b", "a")), "cycle"},
       {"CycleBesideTheTree", robot(ab + link("c") + joint("j", "b", "c") + joint("k", "c", "b")), "cycle"},
       {"OwnParent", robot(ab + joint("j", "b", "b")), "cycle"},
-      {"MassIsNotANumber", two_links(link("b", inertial("heavy")) + joint("j", "a", "b")), "mass"},
-      {"MassNan", two_links(link("b", inertial("nan")) + joint("j", "a", "b")),
+      {"MassIsNotANumber", first_and(link("b", inertial("heavy")) + joint("j", "a", "b")), "mass"},
+      {"MassNan", first_and(link("b", inertial("nan")) + joint("j", "a", "b")),
        ":4: <mass> of link 'b' has value 'nan'"},
-      {"MassWithALetter", two_links(link("b", inertial("1.0abc")) + joint("j", "a", "b")),
+      {"MassWithALetter", first_and(link("b", inertial("1.0abc")) + joint("j", "a", "b")),
        ":4: <mass> of link 'b' has value '1.0abc'; expected a number within .*such as"},
-      {"MassTooLarge", two_links(link("b", inertial("1e999")) + joint("j", "a", "b")), ":4: .*'1e999'"},
-      {"MassOfTwoNumbers", two_links(link("b", inertial("1 2")) + joint("j", "a", "b")), ":4: .*'1 2'"},
+      {"MassTooLarge", first_and(link("b", inertial("1e999")) + joint("j", "a", "b")), ":4: .*'1e999'"},
+      {"MassOfTwoNumbers", first_and(link("b", inertial("1 2")) + joint("j", "a", "b")), ":4: .*'1 2'"},
       {"InertiaInWords",
-       two_links(link("b", inertial("1", R"(ixx="1" iyy="big" izz="1")")) + joint("j", "a", "b")),
+       first_and(link("b", inertial("1", R"(ixx="1" iyy="big" izz="1")")) + joint("j", "a", "b")),
        ":4: <inertia> of link 'b' has iyy 'big'"},
-      {"OriginOfTwo", two_links(link("b", visual(R"(<origin xyz="1 2"/>)")) + joint("j", "a", "b")),
+      {"OriginOfTwo", first_and(link("b", visual(R"(<origin xyz="1 2"/>)")) + joint("j", "a", "b")),
        ":4: <origin> of link 'b' has xyz '1 2'; expected 3 numbers within .*such as"},
-      {"OriginOfFour", two_links(link("b", visual(R"(<origin xyz="1 2 3 4"/>)")) + joint("j", "a", "b")),
+      {"OriginOfFour", first_and(link("b", visual(R"(<origin xyz="1 2 3 4"/>)")) + joint("j", "a", "b")),
        ":4: .*expected 3 numbers"},
-      {"OriginNotFinite", two_links(link("b", visual(R"(<origin xyz="inf 0 0"/>)")) + joint("j", "a", "b")),
+      {"OriginNotFinite", first_and(link("b", visual(R"(<origin xyz="inf 0 0"/>)")) + joint("j", "a", "b")),
        ":4: <origin> of link 'b' has xyz 'inf 0 0'"},
-      {"TurnInWords", two_links(link("b", visual(R"(<origin rpy="0 pi 0"/>)")) + joint("j", "a", "b")),
+      {"TurnInWords", first_and(link("b", visual(R"(<origin rpy="0 pi 0"/>)")) + joint("j", "a", "b")),
        ":4: <origin> of link 'b' has rpy '0 pi 0'"},
       {"LimitIsNotANumber",
        robot(ab +
@@ -94,14 +94,14 @@ std::vector<Bad> bad_urdfs() {
        "<mimic> of joint 'j' has multiplier 'twice'"},
       {"Noise", std::string("\x7f\x45\x4c\x46\x02\x01\x00\xff\xfe", 9), "not XML"},
       {"Utf16OfNoRobot", std::string("\xff\xfe<\0r\0o\0b\0o\0t\0/\0>\0", 18), ":1: the robot has no <link>"},
-      {"Xacro", two_links("<link name=\"b\"><xacro:inertia mass=\"1\"/></link>" + joint("j", "a", "b")),
+      {"Xacro", first_and("<link name=\"b\"><xacro:inertia mass=\"1\"/></link>" + joint("j", "a", "b")),
        ":4: <xacro:inertia>: this is a xacro"},
-      {"HugeMass", two_links(link("b", inertial("1e308")) + joint("j", "a", "b")),
+      {"HugeMass", first_and(link("b", inertial("1e308")) + joint("j", "a", "b")),
        ":4: <mass> of link 'b' has value '1e308'; expected a number within 1e.15"},
       {"HugeInertia",
-       two_links(link("b", inertial("1", R"(ixx="1e200" iyy="1e200" izz="1e200")")) + joint("j", "a", "b")),
+       first_and(link("b", inertial("1", R"(ixx="1e200" iyy="1e200" izz="1e200")")) + joint("j", "a", "b")),
        "<inertia> of link 'b' has ixx .*within 1e.15"},
-      {"HugeOrigin", two_links(link("b", visual(R"(<origin xyz="0 0 -1e200"/>)")) + joint("j", "a", "b")),
+      {"HugeOrigin", first_and(link("b", visual(R"(<origin xyz="0 0 -1e200"/>)")) + joint("j", "a", "b")),
        "<origin> of link 'b' has xyz .*3 numbers within 1e.06"},
       {"HugeAxis", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="1e200 0 0"/>)" + kLimit)),
        "<axis> of joint 'j' has xyz"},
@@ -114,17 +114,17 @@ std::vector<Bad> bad_urdfs() {
              joint("j", "b", "c", "prismatic", R"(<mimic joint="k" multiplier="1e300"/>)" + kLimit)),
        "<mimic> of joint 'j' has multiplier"},
       {"HugeScale",
-       two_links(
+       first_and(
            link("b", R"(<visual><geometry><mesh filename="a.obj" scale="1e300 1 1"/></geometry></visual>)") +
            joint("j", "a", "b")),
        "<mesh> of link 'b' has scale"},
       {"HugeSphere",
-       two_links(link("b", "<visual><geometry><sphere radius=\"1e30\"/></geometry></visual>") +
+       first_and(link("b", "<visual><geometry><sphere radius=\"1e30\"/></geometry></visual>") +
                  joint("j", "a", "b")),
        "<sphere> of link 'b' has radius"},
       {"LinkOfTwoLines", robot(link("a\nb")), "a <link> has a control character in its name 'a b'"},
       {"MeshOfTwoLines",
-       two_links(link("b", "<visual><geometry><mesh filename=\"a&#10;b.obj\"/></geometry></visual>") +
+       first_and(link("b", "<visual><geometry><mesh filename=\"a&#10;b.obj\"/></geometry></visual>") +
                  joint("j", "a", "b")),
        "control character in its filename 'a b.obj'"},
       {"EndlessName", robot(link(std::string(3000, 'x')) + link(std::string(3000, 'x'))), "xxx \\.\\.\\.$"},

@@ -53,6 +53,27 @@ TEST(DrawingServos, DrawByTheJointsOfTheTable) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("joint 'j9' moves less than")));
 }
 
+TEST(DrawingServos, GearsAreOfTheJointsThatDraw) {
+  const auto body = chain({Turn{}, Turn{}, Turn{}});
+  RobotSettings robot;
+  robot.name = "chain";
+  robot.joints = {"j2", "j0"};
+  const JointPath path({0.1, -0.3, 0.4, 0.2}, {0, 1}, 0.05);
+  const ServoSettings servos{0.002, 5, 5, 3};
+  const int tip = body->model().link("tip");
+  const GearSettings gear{"j0", 0.3, 0.2, 0.01};
+  const Gears of_first{Eigen::Array3d(0.3, 0, 0), Eigen::Array3d(0.2, 0, 0), Eigen::Array3d(0.01, 0, 0)};
+  const Replay by_table = DrawingServos(body, robot, {gear}).replay(tip, path, servos),
+               by_hand =
+                   replay(*body, tip, path, {2, 0}, Eigen::Vector3d::Zero(), servos, {of_first, nullptr});
+  EXPECT_EQ(by_table.tip, by_hand.tip);
+  EXPECT_NE(by_table.tip, DrawingServos(body, robot).replay(tip, path, servos).tip);
+  for (const std::vector<GearSettings>& wrong : {std::vector{GearSettings{"j1", 0, 0, 0}}, {gear, gear}})
+    EXPECT_THAT(
+        [&] { DrawingServos(body, robot, wrong); },
+        testing::ThrowsMessage<InputError>(testing::HasSubstr("joints that draw at most once: j2, j0")));
+}
+
 TEST(DrawingServos, AWholeBodyHasMoreThanWhatDraws) {
   const auto body = chain({Turn{}, Turn{}, Turn{}});
   RobotSettings robot;
