@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
 
@@ -14,12 +15,14 @@ constexpr int kNear = 64;             // elites from which a place's inverse sol
 constexpr std::size_t kCarried = 32;  // candidates of the place before, those of the shortest ways
 constexpr double kSame = 0.01;        // rad: candidates as near to each other as this are one
 constexpr double kDamping = 1e-6;     // m^2/rad^2: of inverse kinematics, against singular postures
-constexpr double kUnit = 1e-4;        // m: a pen so far off costs as much as a turn of 1 rad
+// m: a pen so far off costs as much as a turn of 1 rad; first little, so that large turns find their way.
+constexpr std::array kUnits = {1e-2, 1e-3, 1e-4};
+constexpr int kRounds = 8;  // of straightening, each with more places kept as they were
 
 struct Candidate {
   Eigen::VectorXd joints;
-  double travel = 0;  // rad, from the start
-  int from = -1;      // among the candidates of the place before
+  double jumps = 0;  // rad^2, from the start: squares of the distances between configurations
+  int from = -1;     // among the candidates of the place before
 };
 using Candidates = std::vector<Candidate>;
 
@@ -30,7 +33,8 @@ double distance_to(const RobotOnPlane& robot, const Eigen::Vector3d& target, con
 // The pen's distance from its place, in units.
 class PlaceCost final : public ceres::CostFunction {
  public:
-  PlaceCost(const RobotOnPlane& robot, const Eigen::Vector3d& target) : robot_(robot), target_(target) {
+  PlaceCost(const RobotOnPlane& robot, const Eigen::Vector3d& target, double unit)
+      : robot_(robot), target_(target), unit_(unit) {
     set_num_residuals(3);
     mutable_parameter_block_sizes()->push_back(static_cast<int>(robot.dof()));
   }
@@ -38,15 +42,16 @@ class PlaceCost final : public ceres::CostFunction {
     const bool wanted = jacobians && jacobians[0];
     Eigen::Matrix3Xd slopes;
     Eigen::Map<Eigen::Vector3d>(residuals, 3) =
-        (robot_.body().position(robot_.tip(), joints[0], wanted ? &slopes : nullptr) - target_) / kUnit;
+        (robot_.body().position(robot_.tip(), joints[0], wanted ? &slopes : nullptr) - target_) / unit_;
     using RowMajor = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-    if (wanted) Eigen::Map<RowMajor>(jacobians[0], 3, robot_.dof()) = slopes / kUnit;
+    if (wanted) Eigen::Map<RowMajor>(jacobians[0], 3, robot_.dof()) = slopes / unit_;
     return true;
   }
 
  private:
   const RobotOnPlane& robot_;
   Eigen::Vector3d target_;
+  double unit_;
 };
 
 // How far the joints turn from one place to the next.
@@ -78,26 +83,25 @@ class PosturePath {
     for (Eigen::Index k = 0; k < trace.points(); ++k) targets_.push_back(robot.plane().to_robot(pen(k)));
   }
 
-  std::vector<double> shortest() const {
+  std::vector<double> smoothest() const {
     std::vector<Candidates> places;
     for (Eigen::Index k = 0; k < trace_.points(); ++k) {
       Candidates found = candidates(k, places.empty() ? Candidates() : places.back());
       if (k > 0)
         for (Candidate& to : found) connect(places.back(), to);
-      std::ranges::stable_sort(found, {}, &Candidate::travel);
+      std::ranges::stable_sort(found, {}, &Candidate::jumps);
       places.push_back(std::move(found));
     }
     std::vector<Eigen::VectorXd> way;
-    int at = 0;  // the first of the last place has the shortest way
+    int at = 0;  // the first of the last place has the best way
     for (auto place = places.rbegin(); place != places.rend(); ++place) {
       way.push_back((*place)[at].joints);
       at = (*place)[at].from;
     }
     std::ranges::reverse(way);
-    const std::vector<double> found = row_by_row(way), straight = row_by_row(straightened(std::move(way)));
-    return acceptable(straight) && joint_travel(straight, robot_.dof()) < joint_travel(found, robot_.dof())
-               ? straight
-               : found;
+    const std::vector<double> found = row_by_row(straightened_where_possible(std::move(way)));
+    return joint_travel(found, robot_.dof()) <= joint_travel(trace_.joints, robot_.dof()) ? found
+                                                                                          : trace_.joints;
   }
 
  private:
@@ -165,41 +169,52 @@ class PosturePath {
   }
 
   static void connect(const Candidates& before, Candidate& to) {
-    to.travel = std::numeric_limits<double>::infinity();
+    to.jumps = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < before.size(); ++i) {
-      const double travel = before[i].travel + (to.joints - before[i].joints).norm();
-      if (travel >= to.travel) continue;
-      to.travel = travel;
+      const double jumps = before[i].jumps + (to.joints - before[i].joints).squaredNorm();
+      if (jumps >= to.jumps) continue;
+      to.jumps = jumps;
       to.from = static_cast<int>(i);
     }
   }
 
-  std::vector<Eigen::VectorXd> straightened(std::vector<Eigen::VectorXd> way) const {
-    const int dof = static_cast<int>(robot_.dof());
-    ceres::Problem problem;
-    for (std::size_t k = 0; k < way.size(); ++k) {
-      problem.AddResidualBlock(new PlaceCost(robot_, targets_[k]), nullptr, way[k].data());
-      if (k > 0) problem.AddResidualBlock(new TurnCost(dof), nullptr, way[k - 1].data(), way[k].data());
-      for (int i = 0; i < dof; ++i) {
-        problem.SetParameterLowerBound(way[k].data(), i, robot_.lower()[i]);
-        problem.SetParameterUpperBound(way[k].data(), i, robot_.upper()[i]);
+  // Places where the straightened way can't be had keep what they have, and the others are straightened
+  // again.
+  std::vector<Eigen::VectorXd> straightened_where_possible(const std::vector<Eigen::VectorXd>& way) const {
+    std::vector<bool> kept(way.size(), false);
+    for (int round = 0; round < kRounds; ++round) {
+      std::vector<Eigen::VectorXd> straight = straightened(way, kept);
+      bool all = true;
+      for (std::size_t k = 0; k < way.size(); ++k) {
+        if (kept[k] || possible(straight[k], static_cast<Eigen::Index>(k))) continue;
+        kept[k] = true;
+        all = false;
       }
+      if (all) return straight;
     }
-    ceres::Solver::Options options = dense_solver(20, 1e-4);
-    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;  // places know their neighbours alone
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
     return way;
   }
 
-  // Each place as it is asked for, or as the trace has it.
-  bool acceptable(const std::vector<double>& joints) const {
-    const Eigen::Index dof = robot_.dof();
-    for (Eigen::Index k = 0; k < trace_.points(); ++k) {
-      const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(&joints[k * dof], dof);
-      if (!possible(q, k) && q != own(k)) return false;
+  std::vector<Eigen::VectorXd> straightened(std::vector<Eigen::VectorXd> way,
+                                            const std::vector<bool>& kept) const {
+    const int dof = static_cast<int>(robot_.dof());
+    for (const double unit : kUnits) {
+      ceres::Problem problem;
+      for (std::size_t k = 0; k < way.size(); ++k) {
+        problem.AddResidualBlock(new PlaceCost(robot_, targets_[k], unit), nullptr, way[k].data());
+        if (k > 0) problem.AddResidualBlock(new TurnCost(dof), nullptr, way[k - 1].data(), way[k].data());
+        for (int i = 0; i < dof; ++i) {
+          problem.SetParameterLowerBound(way[k].data(), i, robot_.lower()[i]);
+          problem.SetParameterUpperBound(way[k].data(), i, robot_.upper()[i]);
+        }
+        if (kept[k]) problem.SetParameterBlockConstant(way[k].data());
+      }
+      ceres::Solver::Options options = dense_solver(20, 1e-4);
+      options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;  // places know their neighbours alone
+      ceres::Solver::Summary summary;
+      ceres::Solve(options, &problem, &summary);
     }
-    return true;
+    return way;
   }
 
   const RobotOnPlane& robot_;
@@ -221,7 +236,7 @@ double joint_travel(const std::vector<double>& joints, Eigen::Index dof) {
 }
 
 std::vector<double> least_travel(const RobotOnPlane& robot, const PointLayer& points, const Trace& trace) {
-  return trace.points() < 2 ? trace.joints : PosturePath(robot, points, trace).shortest();
+  return trace.points() < 2 ? trace.joints : PosturePath(robot, points, trace).smoothest();
 }
 
 }  // namespace hbr

@@ -15,10 +15,13 @@ namespace hbr {
 double joint_travel(const std::vector<double>& joints, Eigen::Index dof);
 
 // Configurations [n x dof] for the places of a trace [n], within the joints' limits, the pen as near to each
-// place as a tenth of the robot's tolerance, clear of itself and of its board; where that can't be had, and
-// where nothing is gained, the trace's own. Candidates for a place are its own elite, inverse solutions from
-// elites near it, and those of the place before carried on; the shortest way through them (dynamic
-// programming) is straightened as a whole by least squares (Ceres). Never longer than the trace's own way.
+// place as a tenth of the robot's tolerance, clear of itself and of its board; where that can't be had the
+// trace's own. Candidates for a place are its own elite, inverse solutions from elites near it, and those of
+// the place before carried on. The way through them has the least sum of squared distances (dynamic
+// programming): between two places the pen leaves board and line about as the square of what the joints
+// turn, so one turn is spread over many places rather than made at once. It is then straightened by least
+// squares (Ceres) as a whole, but for places where that would leave what is possible. Never longer than the
+// trace's own way.
 std::vector<double> least_travel(const RobotOnPlane& robot, const PointLayer& points, const Trace& trace);
 
 }  // namespace hbr

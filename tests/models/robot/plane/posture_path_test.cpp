@@ -119,6 +119,29 @@ TEST(PosturePath, IsNearlyTheShortestOfAll) {
   }
 }
 
+double largest_step(const std::vector<double>& joints, Eigen::Index dof) {
+  double largest = 0;
+  for (std::size_t at = 0; at + 2 * dof <= joints.size(); at += dof)
+    largest = std::max(largest, joint_travel({joints.begin() + at, joints.begin() + at + 2 * dof}, dof));
+  return largest;
+}
+
+// A turn that the way asks for is spread over its places, not made at one of them: between two of them the
+// pen would leave its line.
+TEST(PosturePath, MakesNoJumps) {
+  Rng rng(Seed(10));
+  double worst = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    const auto random = [&] { return Eigen::Vector2d(rng.uniform(-2.5f, 2.5f), rng.uniform(-2.5f, 2.5f)); };
+    const Trace trace = along(random(), random(), 40);
+    const std::vector<double> found = least_travel(three_links(), points(), trace);
+    expect_draws(trace, found);
+    worst = std::max(worst, largest_step(found, 3));
+    EXPECT_GT(largest_step(trace.joints, 3), 1);
+  }
+  EXPECT_LT(worst, 0.6);
+}
+
 TEST(PosturePath, IsNeverLongerThanTheTraces) {
   Rng rng(Seed(9));
   for (int trial = 0; trial < 10; ++trial) {
