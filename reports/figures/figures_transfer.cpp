@@ -8,6 +8,7 @@
 #include "reports/figures/contender.h"
 #include "reports/figures/figures.h"
 #include "reports/figures/panels.h"
+#include "reports/figures/worst_digits.h"
 #include "reports/plot/picture.h"
 #include "reports/text/format.h"
 #include "reports/text/html.h"
@@ -177,6 +178,7 @@ Figure transfer_figure(const Evidence& evidence, const std::string& id) {
       "is, in the median [least; greatest without outliers]:{} the paper, which does not say what its images "
       "show: 0.92 % [0.10; 2.11].",
       framing_words(files.front()), measured_difference(evidence.statistics, name + "absolute", robot));
+  figure.notes = worst_digits(files, evidence.artifacts.replications(id + "_dynamics"), figure.tables);
   return figure;
 }
 

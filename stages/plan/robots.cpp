@@ -48,8 +48,9 @@ void plan_transfer(Plan& plan, const RobotRow& robot) {
     append(both,
            {{"digits", numbered("digit_verdicts", r)}, {"dataset", "dataset.h5"}, {"judge", "judge.h5"}});
     plan.add("robot_transfer", robot.name + "_transfer", r,
-             with(plan.run(r),
-                  {{"transfer", settings_to_json(p.transfer)}, {"pencil", stack.back()->settings["pencil"]}}),
+             with(plan.run(r), {{"transfer", settings_to_json(p.transfer)},
+                                {"spacing", p.robot_layer1.spacing},
+                                {"pencil", stack.back()->settings["pencil"]}}),
              both, {robot.urdf});
     append(by_robot, {{"dataset", "dataset.h5"}, {"judge", "judge.h5"}});
     if (stands) append(by_robot, meshes_of(plan, robot));

@@ -1,14 +1,21 @@
 // Transfer (paper, section 5.2): every line, arc and digit executed by the arm and by another robot through
 // the same layers 2 to 4; the digits also over the robot's layer 1 as it was evolved, before it was moved
 // onto the plane and completed.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
 #include "models/judge/judge.h"
 #include "models/judge/surest.h"
+#include "models/robot/plane/lost_places.h"
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/parallel.h"
 #include "pipeline/drawing/image_difference.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "pipeline/hierarchy/trace.h"
+#include "stages/layers/body.h"
 #include "stages/layers/read_stack.h"
 #include "stages/robots/robot_tasks.h"
 #include "stages/studies/layer_errors.h"
@@ -18,13 +25,18 @@ namespace {
 struct TransferSlice : hbr::RunTable {
   hbr::TransferTable transfer;
   hbr::PencilSettings pencil;
+  double spacing = 0;
 };
 template <class Fields>
 void describe(Fields& f, TransferSlice& s) {
   describe_run(f, s);
   f.table("transfer", s.transfer, "lines and arcs");
   f.table("pencil", s.pencil, "of the digits");
+  f.number("spacing", s.spacing, hbr::Range{1e-4, 10}, "l: of the robot's layer 1, descriptor units");
 }
+
+constexpr std::size_t kWorst = 8;     // digits of each form that are explained
+constexpr int kReachSamples = 20000;  // starts for inverse kinematics
 
 // Digits drawn by a robot, and how they differ from the arm's.
 struct Drawn {
@@ -44,6 +56,51 @@ struct Drawn {
     file.write(group + "squared", squared);
   }
 };
+
+// The digits that differ most from the arm's, and what the places lack that the arm draws them through.
+void write_worst(hbr::Hdf5Writer& file, const std::string& group, const Drawn& drawn,
+                 const hbr::StackOnBody& arm, const hbr::StackOnBody& robot, const hbr::Reach& reach,
+                 double spacing, hbr::Workers& workers) {
+  const hbr::Elites& digits = arm.elites.back();
+  const hbr::PointLayer& points = robot.stack.points();
+  std::vector<Eigen::Index> order(drawn.absolute.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>(), [&](Eigen::Index i) { return drawn.absolute[i]; });
+  order.resize(std::min(kWorst, order.size()));
+  const std::size_t n = order.size();
+  std::vector<std::int64_t> id(n);
+  std::vector<std::int32_t> places(n), gap(n), collision(n), limit(n);
+  std::vector<float> apart(n);
+  workers.for_ranges(n, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Eigen::Index row = order[i];
+      id[i] = digits.id[row];
+      const auto drawn_by = [&](const hbr::StackOnBody& stack) {
+        return trace_of(*stack.top().executor(), digits.solution.row(row).data(), digits.genes(row));
+      };
+      const hbr::Trace asked = drawn_by(arm), given = drawn_by(robot);
+      std::vector<Eigen::Vector2d> way;
+      for (Eigen::Index k = 0; k < asked.points(); ++k)
+        way.emplace_back(asked.pen[2 * k], asked.pen[2 * k + 1]);
+      for (Eigen::Index k = 0; k < std::min(asked.points(), given.points()); ++k)
+        apart[i] = std::max(apart[i], std::hypot(given.pen[2 * k] - asked.pen[2 * k],
+                                                 given.pen[2 * k + 1] - asked.pen[2 * k + 1]));
+      const hbr::Lacks lacks =
+          lacks_along(hbr::on_plane(*robot.body), points, reach, way, spacing * 2 * points.frame().half_side);
+      const auto of = [&](hbr::Lack lack) { return lacks[static_cast<std::size_t>(lack)]; };
+      places[i] = static_cast<std::int32_t>(way.size());
+      gap[i] = of(hbr::Lack::gap);
+      collision[i] = of(hbr::Lack::collision);
+      limit[i] = of(hbr::Lack::limit);
+    }
+  });
+  file.write(group + "worst/id", id);
+  file.write(group + "worst/places", places);
+  file.write(group + "worst/apart", apart);
+  file.write(group + "worst/gap", gap);
+  file.write(group + "worst/collision", collision);
+  file.write(group + "worst/limit", limit);
+}
 
 // Of all lines and arcs that the repertoires hold.
 void write_layer_errors(hbr::Hdf5Writer& file, const TransferSlice& s, hbr::Seed seed,
@@ -117,6 +174,11 @@ void run(hbr::StageRun& stage) {
   const hbr::Dataset dataset = hbr::read_dataset(stage.input("dataset"));
   const hbr::Judge judge(hbr::Hdf5Reader(stage.input("judge")), dataset, workers);
   file.write("good", of_arm.good);
+  const hbr::RobotOnPlane& body = hbr::on_plane(*robot.body);
+  const hbr::Reach reach(body.body(), body.tip(), body.clearance(), kReachSamples, 0,
+                         seed_of(stage, s).child("reach"));
+  write_worst(file, "", completed, arm, robot, reach, s.spacing, workers);
+  write_worst(file, "evolved/", as_evolved, arm, evolved, reach, s.spacing, workers);
   for (const auto& [drawn, group] : {std::pair{&completed, ""}, std::pair{&as_evolved, "evolved/"}}) {
     drawn->write(file, group);
     file.write(std::string(group) + "lost",

@@ -126,6 +126,17 @@ Reach::Nearest Reach::nearest(const Eigen::Vector3d& target, const Board& board,
   return best;
 }
 
+Reach::Nearest Reach::nearest_of_any(const Eigen::Vector3d& target, int starts, double enough) const {
+  Nearest best{{}, Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity())};
+  for (const int start : closest(all_, target, starts)) {
+    const Eigen::VectorXd joints = descend(target, sample(start), enough);
+    const Eigen::Vector3d gap = target - body_.position(tip_, joints.data());
+    if (gap.norm() < best.gap.norm()) best = {joints, gap};
+    if (best.gap.norm() <= enough) break;
+  }
+  return best;
+}
+
 Eigen::VectorXd Reach::descend(const Eigen::Vector3d& target, Eigen::VectorXd joints, double enough) const {
   const Eigen::Index dof = body_.dof();
   ceres::Problem problem;

@@ -34,6 +34,9 @@ class Reach {
   std::optional<Nearest> continued(const Eigen::Vector3d& target, const Board& board,
                                    const Eigen::VectorXd& before, double enough) const;
 
+  // The nearest to a target whatever the robot runs into there, from the nearest `starts` of all samples.
+  Nearest nearest_of_any(const Eigen::Vector3d& target, int starts, double enough) const;
+
  private:
   // Of the samples those with the tip nearest to the target, the nearest first.
   std::vector<int> closest(const std::vector<int>& samples, const Eigen::Vector3d& target, int count) const;
