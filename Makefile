@@ -107,7 +107,8 @@ help:
 	@echo
 	@echo 'Robots'
 	@echo '  make robot URDF=FILE what a robot is: joints, mass, reach, what is odd; in OUT (here out/robot) a .glb and'
-	@echo '                       pictures of it and of what its chains reach (blue near their first joint, red far);'
+	@echo '                       pictures of it, of what its chains reach (blue near their first joint, red far) and'
+	@echo '                       of the largest level, upright and leaning boards (blue, green, orange);'
 	@echo '                       MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
 	@echo
 	@echo 'Building'

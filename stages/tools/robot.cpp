@@ -8,9 +8,11 @@
 #include "models/robot/body/body.h"
 #include "models/robot/body/chain.h"
 #include "models/robot/body/robot_facts.h"
+#include "models/robot/looks/boards.h"
 #include "models/robot/looks/reach_cloud.h"
 #include "models/robot/looks/render.h"
 #include "models/robot/looks/visible_links.h"
+#include "models/robot/plane/best_boards.h"
 #include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
 
@@ -90,6 +92,47 @@ void draw_reach(Scene scene, const std::vector<Chain>& chains, const std::string
   write_png(file, render(scene, view_of(solid), 800, 1000));
 }
 
+// The largest boards of each kind, as a line for each chain; of the chain with the largest a third picture,
+// in which a level board is blue, an upright one green and a leaning one orange. Whether there is any.
+bool draw_boards(Scene scene, const RobotModel& model, const std::vector<Chain>& chains,
+                 const std::map<std::string, double>& pose, const std::string& file) {
+  constexpr double kSamples = 200000;  // of all chains
+  constexpr std::size_t kMostJoints = 12;
+  const std::vector<Eigen::Vector3f> colours{{0, 0.45f, 0.7f}, {0, 0.6f, 0.45f}, {0.9f, 0.6f, 0}};
+  std::vector<KindOfBoard> shown;
+  double largest = 0;  // of the boards shown, half a side, m
+  Workers workers(1);
+  for (const Chain& chain : chains) {
+    std::vector<std::string> joints;
+    for (const Joint* joint : chain.leaders) joints.push_back(joint->name);
+    if (joints.size() < 2 || joints.size() > kMostJoints) continue;
+    std::string line;
+    double side = 0;
+    std::vector<KindOfBoard> found;
+    try {
+      found = best_boards(model, joints, pose, model.link(chain.link),
+                          static_cast<int>(kSamples / static_cast<double>(chains.size())), workers);
+    } catch (const InputError& error) {
+      fmt::print("boards  of '{}': none, as {}\n", chain.link, error.what());
+      continue;
+    }
+    for (const auto& [kind, board] : found) {
+      const double own = board ? board->plane.scale : 0;
+      line += fmt::format("{}{} {}", line.empty() ? "" : ", ", board_kind_name(kind),
+                          board ? fmt::format("{:.3g} m", 2 * own) : "none");
+      side = std::max(side, own);
+    }
+    fmt::print("boards  of '{}', largest squares about: {}\n", chain.link, line);
+    if (side > largest) shown = std::move(found);
+    largest = std::max(largest, side);
+  }
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    if (shown[i].board)
+      scene.bodies.push_back(framed_board(board_kind_name(shown[i].kind), *shown[i].board, colours[i]));
+  if (largest > 0) write_png(file, render(scene, view_of(scene), 800, 1000));
+  return largest > 0;
+}
+
 void describe(const std::filesystem::path& urdf, const std::filesystem::path& out,
               const std::filesystem::path& folder, std::map<std::string, double> pose) {
   const RobotModel model = load_urdf(urdf);
@@ -133,8 +176,9 @@ void describe(const std::filesystem::path& urdf, const std::filesystem::path& ou
     fmt::print("{0}.png, {0}.glb\n", stem);
     return;
   }
-  draw_reach(std::move(scene), chains, stem + "_reach.png");
-  fmt::print("{0}.png, {0}.glb, {0}_reach.png\n", stem);
+  draw_reach(scene, chains, stem + "_reach.png");
+  const bool boards = draw_boards(std::move(scene), model, chains, pose, stem + "_boards.png");
+  fmt::print("{0}.png, {0}.glb, {0}_reach.png{1}\n", stem, boards ? ", " + stem + "_boards.png" : "");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -74,6 +75,7 @@ class RobotArtifacts {
     EXPECT_EQ(file.read<std::int64_t>("id").values, of("layer4").read<std::int64_t>("id").values);
     EXPECT_NE(drawn, images(file, "evolved/robot"));
     for (const std::string form : {"", "evolved/"}) {
+      expect_worst(file, form);
       const Images robots = images(file, form + "robot");
       const auto absolute = file.read<float>(form + "absolute").values,
                  squared = file.read<float>(form + "squared").values;
@@ -183,6 +185,27 @@ class RobotArtifacts {
   }
 
  private:
+  // The digits that differ most, and no more places that lack something than there are.
+  static void expect_worst(const Hdf5Reader& file, const std::string& form) {
+    const auto id = file.read<std::int64_t>("id").values,
+               worst = file.read<std::int64_t>(form + "worst/id").values;
+    std::vector<float> absolute = file.read<float>(form + "absolute").values, of_worst;
+    for (const std::int64_t digit : worst)
+      of_worst.push_back(absolute.at(static_cast<std::size_t>(std::ranges::find(id, digit) - id.begin())));
+    std::ranges::sort(absolute, std::greater<>());
+    absolute.resize(std::min<std::size_t>(8, absolute.size()));
+    EXPECT_EQ(of_worst, absolute);
+    const auto counts = [&](const char* name) {
+      return file.read<std::int32_t>(form + "worst/" + name).values;
+    };
+    const auto places = counts("places"), gap = counts("gap"), collision = counts("collision"),
+               limit = counts("limit");
+    for (std::size_t i = 0; i < worst.size(); ++i) {
+      EXPECT_GT(places[i], 0);
+      EXPECT_LE(gap[i] + collision[i] + limit[i], places[i]);
+    }
+  }
+
   using Images = std::vector<std::vector<std::uint8_t>>;
 
   // The arm itself in the robot's place.

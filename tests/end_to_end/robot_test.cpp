@@ -24,10 +24,12 @@ TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
   EXPECT_EQ(told.code, 0) << told.text;
   for (const char* words :
        {"8 links, 7 joints, of which 6 move", "\nelbow      revolute  upper_arm -> fore_arm",
-        "mass    67.5000 kg", "\nheight  ", "\nreach   1.236 m from joint 'turn' to 'pen'"})
+        "mass    67.5000 kg", "\nheight  ", "\nreach   1.236 m from joint 'turn' to 'pen'",
+        "\nboards  of 'pen', largest squares about: level ", " m, upright ", " m, leaning "})
     EXPECT_THAT(told.text, HasSubstr(words));
   for (const auto& [name, magic] : {std::pair("six_joint_arm.png", "\x89PNG"),
                                     {"six_joint_arm_reach.png", "\x89PNG"},
+                                    {"six_joint_arm_boards.png", "\x89PNG"},
                                     {"six_joint_arm.glb", "glTF"}}) {
     std::ifstream file(out / name, std::ios::binary);
     std::string begin(4, ' ');
@@ -49,6 +51,8 @@ TEST_F(RobotProgram, MakesNaosMeshes) {
   const ShellResult told = robot("models/nao/nao.urdf " + folder_.path().string());
   EXPECT_EQ(told.code, 0) << told.text;
   EXPECT_THAT(told.text, testing::Not(HasSubstr("mesh")));
+  EXPECT_THAT(told.text, HasSubstr("\nboards  of 'r_gripper', largest squares about: level 0."))
+      << "a hand opens";
   EXPECT_GT(fs::file_size(folder_.path() / "nao.glb"), 500000u);  // rods are a hundred thousand
 }
 

@@ -15,14 +15,6 @@ constexpr double kLarge = 1.03, kSmall = 1.01;  // steps of the scale
 constexpr int kSteps = 12;
 constexpr double kFull = 0.995;  // share of the points that is as good as all
 
-// Where the robot looks from: the first of the joints that draw.
-Eigen::Vector3d shoulder(const Body& body) {
-  int first = static_cast<int>(body.model().joints.size());
-  for (const std::string& name : body.moving()) first = std::min(first, body.model().joint(name));
-  const Eigen::VectorXd middle = (body.lower() + body.upper()) / 2;
-  return body.link_poses(middle)[body.model().joints[first].child].translation();
-}
-
 }  // namespace
 
 bool better(const FoundPlane& a, const FoundPlane& b) {

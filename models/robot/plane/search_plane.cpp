@@ -127,6 +127,13 @@ std::vector<Eigen::Vector3d> directions(const ReachMap& map) {
 
 }  // namespace
 
+Eigen::Vector3d shoulder(const Body& body) {
+  int first = static_cast<int>(body.model().joints.size());
+  for (const std::string& name : body.moving()) first = std::min(first, body.model().joint(name));
+  const Eigen::VectorXd middle = (body.lower() + body.upper()) / 2;
+  return body.link_poses(middle)[body.model().joints[first].child].translation();
+}
+
 std::vector<Board> search_planes(const ReachMap& map, const BoardRules& rules,
                                  const std::vector<Eigen::Vector2d>& points, double half_side,
                                  const Eigen::Vector3d& eye, int most, Workers& workers) {

@@ -9,12 +9,15 @@
 
 namespace hbr {
 
+// Where the robot looks from, m: the first of the joints that draw.
+Eigen::Vector3d shoulder(const Body& body);
+
 // Boards that differ in direction by 20 degrees or more, those of the greatest worth first, at most `most`:
 // on each the map reaches all points (drawing frame, m) but for one in two hundred, an empty cell beside a
 // filled one counting as reached. Of each of the map's directions, the vertical ones and those in which the
 // reach is flattest the largest board is found by trying every cell of the map as its origin; the largest
 // ones are then moved, turned and grown by smaller and smaller steps for as long as that makes them better.
-// `eye` is where the robot looks from: the boards face it. Deterministic. Empty where the map covers the
+// The boards face `eye`. Deterministic. Empty where the map covers the
 // points nowhere.
 std::vector<Board> search_planes(const ReachMap& map, const BoardRules& rules,
                                  const std::vector<Eigen::Vector2d>& points, double half_side,
