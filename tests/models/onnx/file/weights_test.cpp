@@ -196,6 +196,24 @@ TEST_F(OnnxWeights, OfWholeNetworksInOtherPrecisions) {
   }
 }
 
+// OpenCV would not tell a cast to float16 from none, nor does any operator that it has take a list of
+// tensors.
+TEST_F(OnnxWeights, OfCastsAndOfListsOfTensors) {
+  const std::vector<std::uint16_t> halves{Eigen::half(1.5f).x, Eigen::half(-2).x};
+  const std::string list = other::bytes(
+      5, other::bytes(1, "all") +
+             other::bytes(10, other::tensor("w", other::kFloat16, {2}, other::raw_data(other::raw(halves)))));
+  const OnnxModel model = parse_onnx(
+      plain_weights(other::File()
+                        .input("image", {-1, 784}, other::kFloat16)
+                        .node("Cast", {"image"}, {"cast"}, other::integer_attribute("to", other::kFloat16))
+                        .node("Any", {"cast"}, {"y"}, list)
+                        .content(),
+                    "mine.onnx"));
+  EXPECT_THAT(model.nodes.at(0).bytes, HasSubstr(other::integer_attribute("to", other::kFloat)));
+  EXPECT_THAT(model.nodes.at(1).bytes, HasSubstr(other::raw(std::vector<float>{1.5f, -2})));
+}
+
 TEST_F(OnnxWeights, ReadingSurvivesEveryShortening) {
   const std::string content = OtherAutoencoder(1).content({-1, 784});
   for (std::size_t size = 0; size < 400; ++size) {

@@ -63,6 +63,9 @@ TEST(BoardRules, NothingOfTheSquareIsBelowTheFloor) {
     EXPECT_EQ(rules.allows(low), elevation <= 0 && lowest >= 1 - 1e-9) << elevation;
     const Board raised = rules.raised(low);
     EXPECT_EQ(rules.allows(raised), elevation <= 0) << elevation;
+    Board sunk = raised;
+    sunk.plane.origin[2] -= 1e-3;
+    EXPECT_EQ(rules.allows(sunk), elevation <= 0 && lowest > 1 + 1e-3) << elevation;
     EXPECT_NEAR(raised.plane.origin[2] - low.plane.origin[2], 1 - lowest, 1e-12) << elevation;
     EXPECT_EQ(rules.raised(board({3, 0, 2}, elevation)).plane.origin[2], 2) << elevation;
   }

@@ -7,7 +7,7 @@
 #include "models/robot/plane/refine_plane.h"
 #include "models/robot/plane/robot_on_plane.h"
 #include "pipeline/core/check.h"
-#include "tests/models/robot/body/chains.h"
+#include "tests/models/robot/plane/three_links.h"
 
 namespace hbr {
 namespace {
@@ -111,6 +111,23 @@ TEST(RefinePlane, ComesNearerToTheReach) {
   EXPECT_EQ(plane.origin, again.origin);
   EXPECT_EQ(plane.u, again.u);
   EXPECT_EQ(plane.scale, again.scale);
+}
+
+// A circle of 2 m fits the reach of 3 m, but not where its board stands on the floor at the reach's middle:
+// there it must become one of 1.5 m.
+TEST(RefinePlane, ShrinksRatherThanGoBelowTheFloor) {
+  const RobotOnPlane& robot = three_links();
+  const Reach reach(robot.body(), robot.tip(), robot.clearance(), 500, 0, Seed(5));
+  std::vector<Eigen::Vector2d> circle;
+  for (int i = 0; i < 24; ++i)
+    circle.emplace_back(std::cos(i / 24. * 2 * std::numbers::pi), std::sin(i / 24. * 2 * std::numbers::pi));
+  Workers one(1);
+  const BoardRules rules(robot.clearance(), BoardKind::any, 0);
+  const Board board = refine_plane({DrawingPlane::facing({0, 0, 1}, 0, 0, 2), 1}, rules, reach, circle, one);
+  EXPECT_GE(board.plane.origin.z() - board.plane.scale, -1e-6);
+  EXPECT_NEAR(board.plane.scale, 1.5, 0.1);
+  const auto distances = distances_to_reach(board, reach, circle, one);
+  EXPECT_LT(*std::ranges::max_element(distances), 0.1);
 }
 
 }  // namespace

@@ -16,35 +16,48 @@ namespace {
 
 const double kLimit = three_links().upper()[0];
 
-// Layer 1 of random configurations, which hold the arm in all ways.
+// Layer 1 of random configurations, which hold the arm in all ways; those that run into the robot are left
+// out.
+PointLayer random_layer(const RobotOnPlane& robot, int most) {
+  Rng rng(Seed(4));
+  Elites elites;
+  elites.solution.resize(most, 3);
+  for (float& gene : elites.solution.reshaped()) gene = rng.uniform();
+  elites.measures = Rows::Zero(most, 2);
+  elites.objective = Eigen::VectorXf::Zero(most);
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < most; ++i) {
+    Eigen::Vector3d joints;
+    decode_joints(robot, elites.solution.row(i).data(), joints.data());
+    if (!robot.clear(joints.data(), kFrame.half_side)) continue;
+    elites.solution.row(kept) = elites.solution.row(i).eval();
+    elites.id.push_back(kept);
+    elites.parent.push_back(-1);
+    perform_point(robot, kFrame, elites, kept++);
+  }
+  elites.solution.conservativeResize(kept, 3);
+  elites.measures.conservativeResize(kept, 2);
+  elites.objective.conservativeResize(kept);
+  return {elites, robot, kFrame};
+}
 const PointLayer& points() {
-  static const PointLayer layer = [] {
-    Rng rng(Seed(4));
-    Elites elites;
-    elites.solution.resize(600, 3);
-    for (float& gene : elites.solution.reshaped()) gene = rng.uniform();
-    elites.measures = Rows::Zero(600, 2);
-    elites.objective = Eigen::VectorXf::Zero(600);
-    for (Eigen::Index i = 0; i < 600; ++i) {
-      elites.id.push_back(i);
-      elites.parent.push_back(-1);
-      perform_point(three_links(), kFrame, elites, i);
-    }
-    return PointLayer(elites, three_links(), kFrame);
-  }();
+  static const PointLayer layer = random_layer(three_links(), 600);
   return layer;
 }
 
 // From elite to elite along a line, as layers above go.
-Trace along(const Eigen::Vector2d& from, const Eigen::Vector2d& to, int n) {
+Trace along(const PointLayer& layer, const Eigen::Vector2d& from, const Eigen::Vector2d& to, int n) {
   Trace trace;
   for (int k = 0; k < n; ++k) {
-    const std::int32_t elite = points().nearest(from + (to - from) * k / (n - 1));
-    const Eigen::Vector2d p = points().position(elite);
+    const std::int32_t elite = layer.nearest(from + (to - from) * k / (n - 1));
+    const Eigen::Vector2d p = layer.position(elite);
     trace.pen.insert(trace.pen.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
-    trace.joints.insert(trace.joints.end(), points().joints(elite), points().joints(elite) + 3);
+    trace.joints.insert(trace.joints.end(), layer.joints(elite), layer.joints(elite) + 3);
   }
   return trace;
+}
+Trace along(const Eigen::Vector2d& from, const Eigen::Vector2d& to, int n) {
+  return along(points(), from, to, n);
 }
 
 // All configurations that bring the tip to a place, the first joint on a grid: two for the other joints each.
@@ -140,6 +153,49 @@ TEST(PosturePath, MakesNoJumps) {
     EXPECT_GT(largest_step(trace.joints, 3), 1);
   }
   EXPECT_LT(worst, 0.6);
+}
+
+// Links 0.3 m thick, beside their board: folded, the last would lie in the first.
+TEST(PosturePath, StaysClearOfTheRobot) {
+  const std::string looks =
+      R"(<visual><origin xyz="0 0.5 0"/><geometry><box size="0.3 1 0.3"/></geometry></visual>)";
+  const RobotOnPlane thick("thick", chain({Turn{}, Turn{}, Turn{}}, "1 0 0", looks, 0.5), "tip",
+                           DrawingPlane::facing({0.5, 0, 0}, 0, 0, 1), kTolerance);
+  const PointLayer layer = random_layer(thick, 600);
+  ASSERT_LT(layer.size(), 590);
+  Rng rng(Seed(11));
+  for (int trial = 0; trial < 12; ++trial) {
+    const auto random = [&] { return Eigen::Vector2d(rng.uniform(-1.2f, 1.2f), rng.uniform(-1.2f, 1.2f)); };
+    const Trace trace = along(layer, random(), random(), 20);
+    const std::vector<double> found = least_travel(thick, layer, trace);
+    EXPECT_LT(joint_travel(found, 3), joint_travel(trace.joints, 3));
+    for (std::size_t at = 0; at < found.size(); at += 3)
+      EXPECT_TRUE(thick.clear(&found[at], kFrame.half_side));
+  }
+}
+
+// The second differences of a way that is as short as its places allow are small: of one that only goes from
+// candidate to candidate they are not.
+TEST(PosturePath, IsStraightAsAWhole) {
+  const PointLayer layer = random_layer(three_links(), 12);
+  double bends = 0, steps = 0;
+  for (std::int32_t elite = 0; elite + 1 < 12; ++elite) {
+    Trace trace;  // away from elites: straight between two of them
+    for (int k = 0; k < 30; ++k) {
+      const Eigen::Vector2d p =
+          layer.position(elite) + (layer.position(elite + 1) - layer.position(elite)) * k / 29.;
+      const std::int32_t near = layer.nearest(p);
+      trace.pen.insert(trace.pen.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
+      trace.joints.insert(trace.joints.end(), layer.joints(near), layer.joints(near) + 3);
+    }
+    const std::vector<double> found = least_travel(three_links(), layer, trace);
+    const auto at = [&](int k) { return Eigen::Vector3d(&found[3 * k]); };
+    for (int k = 1; k + 1 < 30; ++k) {
+      bends += (at(k + 1) - 2 * at(k) + at(k - 1)).norm();
+      steps += (at(k + 1) - at(k)).norm();
+    }
+  }
+  EXPECT_LT(bends, 0.15 * steps);
 }
 
 TEST(PosturePath, IsNeverLongerThanTheTraces) {

@@ -8,6 +8,7 @@
 
 #include "models/robot/plane/missing_part.h"
 #include "models/robot/plane/refine_plane.h"
+#include "models/robot/plane/search_plane.h"
 #include "tests/models/robot/body/chains.h"
 
 namespace hbr {
@@ -114,6 +115,24 @@ double lowest(const Board& board) {
     for (const double y : {-board.half_side, board.half_side})
       z = std::min(z, board.plane.to_robot({x, y})[2]);
   return z;
+}
+
+TEST(SearchPlanes, DifferInDirectionTheBestFirst) {
+  const auto body = on_a_table();
+  const int tip = body->model().link("tip");
+  const Clearance clearance(*body, tip);
+  Workers workers(2);
+  const ReachMap map(*body, tip, clearance, 60000, .05, Seed(1), workers);
+  const BoardRules rules(clearance, BoardKind::any, floor_under(*body));
+  const auto boards = search_planes(map, rules, disc(.5, 6), .5, shoulder(*body), 8, workers);
+  ASSERT_GE(boards.size(), 4u);
+  ASSERT_LE(boards.size(), 8u);
+  for (std::size_t i = 1; i < boards.size(); ++i) {
+    EXPECT_LE(rules.worth(boards[i]), rules.worth(boards[i - 1]));
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_LE(boards[i].plane.normal().dot(boards[k].plane.normal()), std::cos(20 * std::numbers::pi / 180))
+          << i << " " << k;
+  }
 }
 
 TEST(FindPlane, IsTheSameWhateverTheSamples) {
