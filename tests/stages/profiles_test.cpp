@@ -202,30 +202,6 @@ TEST(Layers, AreReadStrictly) {
               HasSubstr("substitution.layer = 'layer2_n1': this layer is of kind lines; expected arcs"));
 }
 
-// Friction and play of a joint are asked for by the replay alone: planes and points stay.
-TEST(Profiles, GearsAreTheDynamicsAlone) {
-  const TemporaryFolder folder;
-  const auto nodes = [&](const std::string& more) {
-    std::ifstream paper(kProfiles / "paper.toml");
-    std::ofstream(folder.path() / "paper.toml") << paper.rdbuf() << more;
-    return by_output(experiment_graph(folder.path() / "paper.toml"));
-  };
-  const auto plain = nodes(""),
-             loose =
-                 nodes("\n[[robots.gears]]\njoint = \"elbow\"\nviscous = 0.1\ncoulomb = 0\nplay = 0.01\n");
-  ASSERT_EQ(plain.size(), loose.size());
-  for (const auto& [output, node] : loose)
-    EXPECT_EQ(node.settings != plain.at(output).settings, output.starts_with("industrial_dynamics"))
-        << output;
-  EXPECT_EQ(loose.at("industrial_dynamics/00.h5").settings["gears"][0]["play"], 0.01);
-  // Soles are looked at where one is stood on.
-  const auto has_meshes = [&](const std::string& output) {
-    return std::ranges::any_of(plain.at(output).inputs, [](const auto& in) { return in.first == "meshes"; });
-  };
-  EXPECT_TRUE(has_meshes("nao_dynamics/00.h5"));
-  EXPECT_FALSE(has_meshes("industrial_dynamics/00.h5"));
-}
-
 class Variations : public testing::Test {
  protected:
   // lines.toml with fewer replications and these variations.
