@@ -10,9 +10,9 @@
 namespace hbr::net {
 
 inline constexpr int kDenseLayers = kDense5 - kDense1 + 1;
-inline constexpr Index kDenseInputs =
-    kSeeds - kPool2;  // of all dense layers, one after the other, as in a Tile
-inline constexpr Index kDenseStrides = 4 * 112 + 16 + 400;  // of all dense layers, with their padding
+// Inputs of all dense layers, one after the other as in a Tile, and their outputs with their padding.
+inline constexpr Index kDenseInputs = kSeeds - kPool2;
+inline constexpr Index kDenseStrides = 4 * padded(kHidden) + padded(kMaxLatent) + padded(kFlat);
 
 // What the dense layers of one tile leave for their gradients.
 struct DenseRecord {

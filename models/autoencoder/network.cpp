@@ -9,8 +9,6 @@
 namespace hbr::net {
 namespace {
 
-Index round_up(Index n) { return (n + 15) / 16 * 16; }
-
 int floor_half(int i) { return (i + 1024) / 2 - 512; }
 
 // Calls visit(index in the kernel, index in the sub-pixel form) for every pair that belongs together: output
@@ -59,15 +57,15 @@ Layout::Layout(int latent) : latent_size(latent) {
   const auto add = [&](LayerIndex i, const char* name, std::vector<std::size_t> shape, Index inputs,
                        Index outputs, Index stride) {
     Layer& l = layers[i];
-    l = {name, std::move(shape), inputs, outputs, stride, size, size + round_up(inputs * stride)};
-    size = l.bias + round_up(outputs);
+    l = {name, std::move(shape), inputs, outputs, stride, size, size + padded(inputs * stride)};
+    size = l.bias + padded(outputs);
   };
   const auto convolution = [&](LayerIndex i, const char* name, int side, Index in, Index out) {
     add(i, name, {size_t_of(side), size_t_of(side), size_t_of(in), size_t_of(out)}, side * side * in, out,
         out);
   };
   const auto dense = [&](LayerIndex i, const char* name, Index in, Index out) {
-    add(i, name, {size_t_of(in), size_t_of(out)}, in, out, round_up(out));
+    add(i, name, {size_t_of(in), size_t_of(out)}, in, out, padded(out));
   };
   convolution(kConv1, "encoder_conv1", 9, 1, kMaps);
   convolution(kConv2, "encoder_conv2", 3, kMaps, kMaps);

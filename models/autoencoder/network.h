@@ -45,6 +45,9 @@ enum LayerIndex {
 };
 inline constexpr int kLayers = 11;
 
+// Numbers of a row of n with the zeros that fill its last vector, however wide vectors are.
+constexpr Index padded(Index n) { return (n + 15) / 16 * 16; }
+
 struct Layer {
   std::string name;                // in files: "weights/NAME/kernel", "weights/NAME/bias"
   std::vector<std::size_t> shape;  // of the kernel: {rows, columns, inputs, outputs} or {inputs, outputs}
