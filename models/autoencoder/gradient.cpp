@@ -53,7 +53,8 @@ BatchGradient::~BatchGradient() = default;
 double BatchGradient::find(const Network& network, int n, const std::uint8_t* const* images, float scale,
                            Workers& workers) {
   const Layout& layout = network.layout;
-  auto& [gradients, records, rooms] = *parts_;
+  auto& gradients = parts_->gradients;
+  auto& records = parts_->records;
   std::fill(gradient_.begin(), gradient_.end(), 0.f);
   const auto tiles_from = [n](int first) {
     return static_cast<std::size_t>(std::min(kGroupTiles, (n - first + kTileImages - 1) / kTileImages));
@@ -68,7 +69,7 @@ double BatchGradient::find(const Network& network, int n, const std::uint8_t* co
         for_convolutions(layout,
                          [&](Index first, Index last) { std::fill(gradient + first, gradient + last, 0.f); });
       const int first = begin + static_cast<int>(t) * kTileImages, count = std::min(n - first, kTileImages);
-      auto& [tile, slopes] = *rooms.local();
+      auto& [tile, slopes] = *parts_->rooms.local();
       load_images(tile, count, images + first);
       encode(network, tile, true);
       decode(network, tile);
