@@ -36,7 +36,8 @@ class Ink {
  public:
   Ink(const Path& path, const View& view, double width_px)
       : reach_(static_cast<float>(width_px / 2 * kSub) + 0.5f) {
-    squared_.fill(kFar);
+    find_rows(path, view);
+    std::fill(row(y_begin_), row(y_end_), kFar);
     float x = view.x(path.xy[0]) * kSub - 0.5f, y = view.y(path.xy[1]) * kSub - 0.5f;
     if (path.points == 1) add(x, y, x, y);
     for (Eigen::Index i = 1; i < path.points; ++i) {
@@ -48,10 +49,10 @@ class Ink {
     }
     // Without std::clamp, whose references keep the loop from being vectorised.
     const float reach = reach_;
-    for (float& value : squared_) {
-      float share = reach - std::sqrt(value);
+    for (float* value = row(y_begin_); value != row(y_end_); ++value) {
+      float share = reach - std::sqrt(*value);
       share = share < 0 ? 0 : share;
-      value = share > 1 ? 1 : share;
+      *value = share > 1 ? 1 : share;
     }
   }
 
@@ -59,8 +60,8 @@ class Ink {
   void pixels(float* image) const {
     for (int y = 0; y < kImageSide; ++y) {
       std::array<float, kRow> column{};
-      for (int i = 0; i < kSub; ++i)
-        for (int x = 0; x < kRow; ++x) column[x] += squared_[(y * kSub + i) * kRow + x];
+      for (int i = std::max(y * kSub, y_begin_); i < std::min((y + 1) * kSub, y_end_); ++i)
+        for (int x = 0; x < kRow; ++x) column[x] += row(i)[x];
       for (int x = 0; x < kImageSide; ++x) {
         float sum = 0;
         for (int i = 0; i < kSub; ++i) sum += column[x * kSub + i];
@@ -72,9 +73,9 @@ class Ink {
   // Centre of mass in pixels from the image's left and upper edge; the image's middle where there is no ink.
   std::array<double, 2> centre_of_mass() const {
     std::array<float, kRow> column{}, moment{};
-    for (int y = 0; y < kSize; ++y)
+    for (int y = y_begin_; y < y_end_; ++y)
       for (int x = 0; x < kRow; ++x) {
-        const float ink = squared_[y * kRow + x];
+        const float ink = row(y)[x];
         column[x] += ink;
         moment[x] += ink * (static_cast<float>(y) + 0.5f);
       }
@@ -95,26 +96,56 @@ class Ink {
   static constexpr int kRow = (kSize + kLanes - 1) / kLanes * kLanes;
   static constexpr float kFar = 1e12f;
 
-  // Lowers the squared distances to those to the segment a-b, where it is near enough to matter.
+  float* row(int y) { return squared_.data() + y * kRow; }
+  const float* row(int y) const { return squared_.data() + y * kRow; }
+
+  // The rows that the path's ink reaches.
+  void find_rows(const Path& path, const View& view) {
+    float low = view.y(path.xy[1]), high = low;
+    for (Eigen::Index i = 1; i < path.points; ++i) {
+      const float y = view.y(path.xy[2 * i + 1]);
+      low = y < low ? y : low;
+      high = y > high ? y : high;
+    }
+    y_begin_ = first(low * kSub - 0.5f);
+    y_end_ = std::max(last(high * kSub - 0.5f), y_begin_);
+  }
+
+  // Lowers the squared distances to those to the segment a-b, where it is near enough to matter: column by
+  // column of kLanes, in the rows that its ink can reach there.
   void add(float ax, float ay, float bx, float by) {
-    const int x_begin = first(std::min(ax, bx)) / kLanes * kLanes, x_end = last(std::max(ax, bx));
-    const int y_begin = first(std::min(ay, by)), y_end = last(std::max(ay, by));
+    const int x_end = last(std::max(ax, bx));
     const float ex = bx - ax, ey = by - ay;
     const float length2 = ex * ex + ey * ey;
     const float inverse = length2 > 0 ? 1 / length2 : 0;
+    for (int x = first(std::min(ax, bx)); x < x_end; x += kLanes) {
+      float from_y = ay, to_y = by;
+      if (std::abs(ex) > kLanes) {  // only a part of the segment is within reach of the column
+        const auto y_at = [&](float column) { return ay + std::clamp((column - ax) / ex, 0.f, 1.f) * ey; };
+        from_y = y_at(static_cast<float>(x) - reach_);
+        to_y = y_at(static_cast<float>(x + kLanes) + reach_);
+      }
+      lower(std::min(x, kRow - kLanes), first(std::min(from_y, to_y)), last(std::max(from_y, to_y)), ax, ay,
+            ex, ey, inverse);
+    }
+  }
+
+  void lower(int x, int y_begin, int y_end, float ax, float ay, float ex, float ey, float inverse) {
+    std::array<float, kLanes> dx, dx_ex;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      dx[lane] = static_cast<float>(x + lane) - ax;
+      dx_ex[lane] = dx[lane] * ex;
+    }
     for (int y = y_begin; y < y_end; ++y) {
-      const float dy = static_cast<float>(y) - ay;
-      for (int x = x_begin; x < x_end; x += kLanes) {
-        float* squared = squared_.data() + y * kRow + x;
-        for (int lane = 0; lane < kLanes; ++lane) {
-          const float dx = static_cast<float>(x + lane) - ax;
-          float along = (dx * ex + dy * ey) * inverse;
-          along = along < 0 ? 0 : along;
-          along = along > 1 ? 1 : along;
-          const float rx = dx - along * ex, ry = dy - along * ey;
-          const float distance2 = rx * rx + ry * ry;
-          squared[lane] = distance2 < squared[lane] ? distance2 : squared[lane];
-        }
+      const float dy = static_cast<float>(y) - ay, dy_ey = dy * ey;
+      float* squared = row(y) + x;
+      for (int lane = 0; lane < kLanes; ++lane) {
+        float along = (dx_ex[lane] + dy_ey) * inverse;
+        along = along < 0 ? 0 : along;
+        along = along > 1 ? 1 : along;
+        const float rx = dx[lane] - along * ex, ry = dy - along * ey;
+        const float distance2 = rx * rx + ry * ry;
+        squared[lane] = distance2 < squared[lane] ? distance2 : squared[lane];
       }
     }
   }
@@ -127,7 +158,8 @@ class Ink {
     return static_cast<int>(std::clamp(std::floor(high + reach_) + 1, 0.0f, float{kSize}));
   }
 
-  float reach_;                                          // sub-pixels; where the ink has faded to nothing
+  float reach_;                  // sub-pixels; where the ink has faded to nothing
+  int y_begin_ = 0, y_end_ = 0;  // the rows that the ink reaches; the others of squared_ have no value
   alignas(64) std::array<float, kSize * kRow> squared_;  // squared distance, then ink
 };
 
