@@ -9,8 +9,10 @@
 
 namespace hbr {
 namespace {
-// Children that one task evaluates: enough for the vectors and the network's batches, few enough to balance.
+// Children that one task breeds: few enough to balance. They are evaluated by groups of as many as a learned
+// descriptor works on at once, so that none of its lanes is idle.
 constexpr std::size_t kGrain = 25;
+constexpr int kGroup = 16;
 }  // namespace
 
 Search::Search(Repertoire& repertoire, Selector& selector, const Variation& variation,
@@ -78,8 +80,9 @@ void Search::breed(Workers& workers) {
 void Search::evaluate(Workers& workers) {
   const Seed seed = seed_.child("evaluation").child(generation_);
   const auto run = [&](Batch& batch, int rows) {
-    workers.for_ranges(rows, kGrain, [&](std::size_t begin, std::size_t end) {
-      evaluator_.evaluate(batch, begin, end, seed);
+    workers.for_ranges((rows + kGroup - 1) / kGroup, 2, [&](std::size_t begin, std::size_t end) {
+      const auto row = [rows](std::size_t group) { return std::min<Eigen::Index>(group * kGroup, rows); };
+      evaluator_.evaluate(batch, row(begin), row(end), seed);
     });
   };
   if (!evaluator_.deterministic()) return run(batch_, settings_.batch);
