@@ -1,5 +1,5 @@
-// Who may include whom, and no circles: what keeps the search free of robots and the report free of
-// simulations.
+// Who may include whom, no circles, and no long files: what keeps the search free of robots and the report
+// free of simulations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -143,6 +143,21 @@ TEST(IncludeRule, FoldersFormNoCircle) {
   std::string circle;
   for (const auto& [folder, used] : uses) circle += " " + folder;
   EXPECT_EQ(circle, "");
+}
+
+// One concept a file: what grows past this has two.
+TEST(IncludeRule, FilesAreShort) {
+  constexpr int kLines = 300;
+  int files = 0;
+  for (const char* part : {"pipeline", "models", "reports", "stages", "tests"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(HBR_SOURCE_DIR) / part)) {
+      if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+      ++files;
+      std::ifstream file(entry.path());
+      const auto lines = std::count(std::istreambuf_iterator<char>(file), {}, '\n');
+      EXPECT_LE(lines, kLines) << entry.path();
+    }
+  EXPECT_GT(files, 400);
 }
 
 }  // namespace
