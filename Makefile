@@ -59,7 +59,7 @@ $(foreach name,$(given),$(eval export GIVEN_$(name) = $$($(name))))
 export MNIST_DIR
 
 targets := help deps build data all test bench test-cluster sanitize fuzz mutate coverage format check-format status audit graph reference \
-  verify export compare robot install check-targets check-odr check-releases check-bytes clean distclean
+  figures verify export compare robot install check-targets check-odr check-releases check-bytes clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
 goals := $(filter all,$(MAKECMDGOALS)) $(stages)
@@ -100,6 +100,7 @@ help:
 	@echo '  make graph           OUT/graph.svg: the stages and what they hand on'
 	@echo '  make verify          compare the finished run in OUT with reports/reference/NAME, NAME as in the profile'
 	@echo '  make reference       keep the finished run in OUT as that reference'
+	@echo '  make figures         fill the tables of the READMEs (reports/kept_tables.toml) from reports/reference'
 	@echo '  make compare A=out/one B=out/other   in what two runs differ, finished or not: OUT/index.html (here out/compare)'
 	@echo '  make export          the repertoires of the run in OUT for FORMAT=pyribs (.csv) or FORMAT=qdax (.npy), below TO'
 	@echo '                       (OUT/export); STAGE=layer4, REP=0: only these'
@@ -227,6 +228,10 @@ graph: build
 # reports/reference/NAME: what a finished run found, in a few small files.
 reference: build
 	@$(programs)/reference keep "$$GIVEN_OUT" reports/reference
+
+# The READMEs' tables of kept runs.
+figures: build
+	@$(programs)/reference tables reports/kept_tables.toml reports/reference
 
 verify: build
 	@$(programs)/reference verify "$$GIVEN_OUT" reports/reference

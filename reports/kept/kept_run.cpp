@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -21,6 +22,7 @@ constexpr const char* kStatistics = "statistics.json";
 constexpr std::size_t kDigits = 16;  // of a hash: enough to tell a thousand artifacts apart
 
 constexpr const char* kHead = "artifact,sha256,settings";
+constexpr const char* kCostsHead = "stage,artifacts,seconds,cpu_seconds,memory,disk";
 
 bool is_short_hash(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
@@ -47,6 +49,31 @@ std::map<std::string, KeptArtifact> read_artifacts(const fs::path& file) {
   return artifacts;
 }
 
+std::map<std::string, StageCost> read_costs(const fs::path& file) {
+  if (!fs::exists(file)) return {};
+  std::istringstream lines(read_whole(file));
+  std::string line;
+  if (!std::getline(lines, line) || line != kCostsHead)
+    throw InputError("{}: expected '{}' as its first line, found '{}'", file.string(), kCostsHead, line);
+  std::map<std::string, StageCost> costs;
+  while (std::getline(lines, line)) {
+    std::istringstream fields(line);
+    std::string stage;
+    StageCost cost;
+    char c1 = 0, c2 = 0, c3 = 0, c4 = 0;
+    std::getline(fields, stage, ',');
+    fields >> cost.artifacts >> c1 >> cost.seconds >> c2 >> cost.cpu_seconds >> c3 >> cost.memory >> c4 >>
+        cost.disk;
+    const bool whole = fields && fields.peek() == EOF && std::string{c1, c2, c3, c4} == ",,,,";
+    if (stage.empty() || !whole ||
+        !(std::min({double(cost.artifacts), cost.seconds, cost.cpu_seconds, cost.memory, cost.disk}) >= 0) ||
+        !costs.emplace(stage, cost).second)
+      throw InputError("{}: expected lines of {}, each stage once and no number below 0, found '{}'",
+                       file.string(), kCostsHead, line);
+  }
+  return costs;
+}
+
 std::string short_hash(const std::string& hash) { return hash.substr(0, kDigits); }
 
 Node node_at(const std::string& output) {
@@ -57,7 +84,7 @@ Node node_at(const std::string& output) {
 
 // Of claims.json what is kept.
 struct KeptClaim {
-  std::string id, paper, ours, verdict, indication;
+  std::string id, paper, ours, verdict, indication, decided_by;
 };
 template <class Fields>
 void describe(Fields& f, KeptClaim& c) {
@@ -66,6 +93,7 @@ void describe(Fields& f, KeptClaim& c) {
   f.text("ours", c.ours, "this run's figures");
   f.text("verdict", c.verdict, "what became of it");
   f.text("indication", c.indication, "what it would be without regard to size");
+  f.choice("decided_by", c.decided_by, {"result", "design"}, "what decides it");
 }
 struct KeptClaims {
   std::vector<KeptClaim> claims;
@@ -96,7 +124,7 @@ json kept_of(const json& claims) {
   json kept = json::array();
   for (const json& claim : claims) {
     kept.push_back(json::object());
-    for (const char* key : {"id", "paper", "ours", "verdict", "indication"})
+    for (const char* key : {"id", "paper", "ours", "verdict", "indication", "decided_by"})
       if (claim.is_object() && claim.contains(key)) kept.back()[key] = claim[key];
   }
   return kept;
@@ -179,6 +207,7 @@ KeptRun read_run(const fs::path& out) {
   run.claims = kept_of(read_json(out / "page/claims.json"));
   check_claims(run.claims, out / "page/claims.json");
   run.profile = run.statistics.at("").at("profile");
+  run.costs = stage_costs(manifests);
   return run;
 }
 
@@ -197,6 +226,11 @@ void write_kept(const KeptRun& run, const fs::path& folder) {
   for (const auto& [name, artifact] : run.artifacts)
     artifacts += fmt::format("{},{},{}\n", name, artifact.bytes, artifact.settings);
   write_file(folder / "artifacts.csv", artifacts);
+  std::string costs = std::string(kCostsHead) + "\n";
+  for (const auto& [stage, cost] : run.costs)
+    costs += fmt::format("{},{},{},{},{},{}\n", stage, cost.artifacts, cost.seconds, cost.cpu_seconds,
+                         cost.memory, cost.disk);
+  write_file(folder / "costs.csv", costs);
 }
 
 KeptRun read_kept(const fs::path& folder) {
@@ -211,6 +245,8 @@ KeptRun read_kept(const fs::path& folder) {
   run.profile = known.profile;
   run.versions = {known.versions.begin(), known.versions.end()};
   run.claims = read_json(folder / "claims.json");
+  for (json& claim : run.claims)  // kept before facts of the design were told apart
+    if (claim.is_object() && !claim.contains("decided_by")) claim["decided_by"] = "result";
   check_claims(run.claims, folder / "claims.json");
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -222,7 +258,15 @@ KeptRun read_kept(const fs::path& folder) {
     throw InputError("{}: missing; `make reference` keeps it of a finished run",
                      (folder / kStatistics).string());
   run.artifacts = read_artifacts(folder / "artifacts.csv");
+  run.costs = read_costs(folder / "costs.csv");
   return run;
+}
+
+std::map<std::string, KeptRun> read_all_kept(const fs::path& references) {
+  std::map<std::string, KeptRun> all;
+  for (const auto& entry : fs::directory_iterator(references))
+    if (entry.is_directory()) all[entry.path().filename().string()] = read_kept(entry.path());
+  return all;
 }
 
 }  // namespace hbr

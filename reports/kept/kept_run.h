@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "reports/kept/costs.h"
+
 namespace hbr {
 
 struct KeptArtifact {
@@ -20,8 +22,9 @@ struct KeptRun {
   nlohmann::json toolchain;                          // as in toolchain.h; null where it was more than one
   std::set<std::string> versions;                    // of the repository
   std::map<std::string, nlohmann::json> statistics;  // the run's under "", and each variation's; no curves
-  nlohmann::json claims;                             // array of {id, paper, ours, verdict, indication}
-  std::map<std::string, KeptArtifact> artifacts;     // by their place below OUT; what statistics are made of
+  nlohmann::json claims;  // array of {id, paper, ours, verdict, indication, decided_by}
+  std::map<std::string, KeptArtifact> artifacts;  // by their place below OUT; what statistics are made of
+  std::map<std::string, StageCost> costs;         // none of runs that were kept before costs were
 };
 
 // The finished run in an output folder. Throws InputError where its report is missing, or something that it
@@ -29,10 +32,12 @@ struct KeptRun {
 KeptRun read_run(const std::filesystem::path& out);
 
 // origin.json (profile, toolchain, versions), statistics.json and VARIATION.statistics.json, claims.json,
-// artifacts.csv: texts of one line an entry, so that two can be compared by eye. What stood in the folder is
-// replaced.
+// artifacts.csv, costs.csv: texts of one line an entry, so that two can be compared by eye. What stood in the
+// folder is replaced.
 void write_kept(const KeptRun& run, const std::filesystem::path& folder);
 // Throws InputError where a file is missing or not as write_kept left it.
 KeptRun read_kept(const std::filesystem::path& folder);
+// Those of all folders in it, by their names.
+std::map<std::string, KeptRun> read_all_kept(const std::filesystem::path& references);
 
 }  // namespace hbr

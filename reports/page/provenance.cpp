@@ -12,6 +12,7 @@
 #include "pipeline/artifact/families.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/core/check.h"
+#include "reports/kept/costs.h"
 #include "reports/kept/lineage.h"
 #include "reports/kept/scaling.h"
 #include "reports/plot/colour.h"
@@ -27,41 +28,27 @@ namespace {
 namespace fs = std::filesystem;
 constexpr const char* kMark = "<!-- provenance -->";
 
-struct StageFacts {
-  int artifacts = 0;
-  double seconds = 0, cpu_seconds = 0, memory = 0;
-  std::set<std::string> needs;  // stages
-};
-
-struct Facts {
-  std::map<std::string, StageFacts> stages;
-  std::map<std::string, StageFacts> variations;        // all stages of each together
-  std::map<std::string, std::set<std::string>> words;  // "version", "compiler", ... -> what occurs
-};
-
-Facts read_facts(const std::map<std::string, Manifest>& manifests) {
-  Facts facts;
-  for (const auto& [output, manifest] : manifests) {
-    const Slice& slice = manifest.slice;
-    StageFacts& stage =
-        slice.variation.empty() ? facts.stages[slice.stage] : facts.variations[slice.variation];
-    ++stage.artifacts;
-    stage.seconds += manifest.run.value("seconds", 0.0);
-    stage.cpu_seconds += manifest.run.value("cpu_seconds", 0.0);
-    stage.memory = std::max(stage.memory, manifest.run.value("peak_memory_bytes", 0.0));
+// "version", "compiler", ... -> what occurs
+std::map<std::string, std::set<std::string>> words_of(const std::map<std::string, Manifest>& manifests) {
+  std::map<std::string, std::set<std::string>> words;
+  for (const auto& [output, manifest] : manifests)
     for (const char* word : {"version", "compiler", "architecture", "host"})
-      facts.words[word].insert(manifest.run.value(word, "unknown"));
-    if (!slice.variation.empty()) continue;
-    for (const auto& [name, input] : slice.inputs)
-      if (const Slice& need = manifests.at(input).slice; need.variation.empty())
-        stage.needs.insert(need.stage);
-  }
-  return facts;
+      words[word].insert(manifest.run.value(word, "unknown"));
+  return words;
 }
 
-std::string graph_html(const Facts& facts) {
+// Without the variations', which are the same again.
+std::string graph_html(const std::map<std::string, Manifest>& manifests,
+                       const std::map<std::string, StageCost>& costs) {
+  std::map<std::string, std::set<std::string>> needs;  // of stages
+  for (const auto& [output, manifest] : manifests) {
+    if (!manifest.slice.variation.empty()) continue;
+    std::set<std::string>& needed = needs[manifest.slice.stage];
+    for (const auto& [name, input] : manifest.slice.inputs)
+      if (const Slice& need = manifests.at(input).slice; need.variation.empty()) needed.insert(need.stage);
+  }
   std::vector<StageBox> stages;
-  for (const auto& [name, stage] : facts.stages) stages.push_back({name, "", stage.artifacts, stage.needs});
+  for (const auto& [stage, needed] : needs) stages.push_back({stage, "", costs.at(stage).artifacts, needed});
   Drawing drawing =
       parse_svg(run_program({"dot", "-Tsvg"},
                             stages_as_dot(stages, {hex(Colour::grey), hex(Colour::ink), "transparent"})),
@@ -116,33 +103,29 @@ bool is_published(const fs::path& page, const std::string& html, const fs::path&
 
 std::string provenance_html(const fs::path& out) {
   const std::map<std::string, Manifest> manifests = lineage(out, "page");
-  const Facts facts = read_facts(manifests);
+  const std::map<std::string, StageCost> costs = stage_costs(manifests);
   std::string html = "<dl>\n";
   std::vector<std::vector<std::string>> rows;
-  for (const auto& [word, texts] : facts.words) {
+  for (const auto& [word, texts] : words_of(manifests)) {
     std::string all;
     for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + escape_html(text);
     html += fmt::format("<dt>{}</dt><dd><code>{}</code></dd>\n", word, all);
   }
-  double longest = 1e-9, total = 0, total_cpu = 0;
-  std::vector<std::pair<std::string, StageFacts>> shown(facts.stages.begin(), facts.stages.end());
-  for (const auto& [name, variation] : facts.variations) shown.emplace_back("variation " + name, variation);
-  for (const auto& [name, stage] : shown) {
-    longest = std::max(longest, stage.seconds);
-    total += stage.seconds;
-    total_cpu += stage.cpu_seconds;
-  }
-  for (const auto& [name, stage] : shown)
+  double longest = 1e-9;
+  for (const auto& [name, stage] : costs) longest = std::max(longest, stage.seconds);
+  for (const auto& [name, stage] : costs)
     rows.push_back({fmt::format("<code>{}</code>", escape_html(name)), fmt::format("{}", stage.artifacts),
                     fmt::format("{} <span class=\"bar\" style=\"width:{:.1f}rem\"></span>",
                                 duration_text(stage.seconds), 8 * stage.seconds / longest),
-                    duration_text(stage.cpu_seconds), format_number(std::round(stage.memory / 1e6)) + " MB"});
+                    duration_text(stage.cpu_seconds), format_number(std::round(stage.memory / 1e6)) + " MB",
+                    format_number(stage.disk / 1e6) + " MB"});
+  const StageCost whole = whole_cost(costs);
   return html +
          fmt::format("<dt>time</dt><dd>{} of all stages one after the other, {} of processors</dd></dl>\n",
-                     duration_text(total), duration_text(total_cpu)) +
-         html_table("Time and memory of each stage, over its artifacts",
-                    {"Stage", "Artifacts", "Time", "Processor time", "Most memory"}, rows) +
-         scaling_html(manifests) + graph_html(facts);
+                     duration_text(whole.seconds), duration_text(whole.cpu_seconds)) +
+         html_table("Time, memory and disk of each stage, over its artifacts",
+                    {"Stage", "Artifacts", "Time", "Processor time", "Most memory", "On disk"}, rows) +
+         scaling_html(manifests) + graph_html(manifests, costs);
 }
 
 void publish_report(const fs::path& page, const fs::path& out, const fs::path& report) {

@@ -154,6 +154,8 @@ class Filler {
       return format_quartiles(number("median"), number("q1"), number("q3"),
                               field.empty() ? unit(*entry) : "%");
     }
+    if (parts[0] == "stat" && field == "share" && parts.size() == 3)
+      return format_quantity(100 * entry->at("median").get<double>(), "%");
     if (parts.size() > 3 || !entry->contains(field) || !entry->at(field).is_number()) throw unknown();
     const double number = entry->at(field);
     if (field == "p") {

@@ -4,6 +4,7 @@
 //   {{figure:ID}}              a figure
 //   {{stat:NAME}}              a quantity of the statistics: median [q1; q3] unit
 //   {{stat:NAME:median}}       one number of it with its unit; also q1, q3, min, max
+//   {{stat:NAME:share}}        the median of a share, in per cent
 //   {{stat:NAME:percent}}      median [q1; q3] of a share, in per cent
 //   {{stat:NAME:n}}            how many values
 //   {{number:NAME}}            a single number of the statistics with its unit

@@ -1,33 +1,62 @@
 // reference keep OUT FOLDER: what a finished run found, small enough for the repository, as FOLDER/PROFILE.
-// reference verify OUT FOLDER: the run compared with it; exit code 2 where they differ. No stage: it tells of
-// runs, and makes no artifact.
+// reference verify OUT FOLDER: the run compared with it; exit code 2 where they differ.
+// reference tables TOML FOLDER: the READMEs' tables filled from what is kept in FOLDER.
+// No stage: it tells of runs, and makes no artifact.
 #include <fmt/format.h>
 
 #include <string_view>
 
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/program.h"
 #include "pipeline/core/check.h"
+#include "reports/kept/kept_tables.h"
 #include "reports/kept/verify.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int keep(const hbr::KeptRun& run, const fs::path& folder) {
+  hbr::write_kept(run, folder);
+  fmt::print("{}: {} artifacts, {} quantities, {} claims kept\n", folder.string(), run.artifacts.size(),
+             run.statistics.at("").at("quantities").size(), run.claims.size());
+  return 0;
+}
+
+int verify(const hbr::KeptRun& run, const fs::path& folder) {
+  const hbr::Verification found = hbr::verify(hbr::read_kept(folder), run);
+  for (const std::string& line : found.differences) fmt::print("different: {}\n", line);
+  for (const std::string& line : found.notes) fmt::print("note: {}\n", line);
+  fmt::print("{}\n", found.summary);
+  return found.differences.empty() ? 0 : 2;
+}
+
+int fill_tables(const fs::path& tables, const fs::path& references) {
+  const std::map<std::string, hbr::KeptRun> kept = hbr::read_all_kept(references);
+  for (const hbr::KeptTable& table : hbr::read_kept_tables(tables)) {
+    const std::string before = hbr::read_whole(table.file),
+                      after = hbr::with_table(before, table, hbr::as_markdown(table, kept));
+    if (after != before) hbr::write_file(table.file, after);
+    fmt::print("{}: table '{}' {}\n", table.file, table.name,
+               after == before ? "is as it should be" : "filled");
+  }
+  return 0;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   return hbr::guarded_main("reference", [&] {
     const std::string_view task = argc == 4 ? argv[1] : "";
+    if (task == "tables") return fill_tables(argv[2], argv[3]);
     if (task != "keep" && task != "verify")
-      throw hbr::InputError("expected a task and two folders: reference keep|verify OUT FOLDER");
+      throw hbr::InputError(
+          "expected a task and two folders: reference keep|verify OUT FOLDER, or reference tables TOML "
+          "FOLDER");
     const hbr::KeptRun run = hbr::read_run(argv[2]);
     if (run.profile.empty() || run.profile.starts_with('.') || run.profile.find('/') != std::string::npos)
       throw hbr::InputError("the profile's name '{}' can't name a folder below {}", run.profile, argv[3]);
-    const std::filesystem::path folder = std::filesystem::path(argv[3]) / run.profile;
-    if (task == "keep") {
-      hbr::write_kept(run, folder);
-      fmt::print("{}: {} artifacts, {} quantities, {} claims kept\n", folder.string(), run.artifacts.size(),
-                 run.statistics.at("").at("quantities").size(), run.claims.size());
-      return 0;
-    }
-    const hbr::Verification found = hbr::verify(hbr::read_kept(folder), run);
-    for (const std::string& line : found.differences) fmt::print("different: {}\n", line);
-    for (const std::string& line : found.notes) fmt::print("note: {}\n", line);
-    fmt::print("{}\n", found.summary);
-    return found.differences.empty() ? 0 : 2;
+    const fs::path folder = fs::path(argv[3]) / run.profile;
+    return task == "keep" ? keep(run, folder) : verify(run, folder);
   });
 }

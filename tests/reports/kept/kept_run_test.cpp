@@ -29,7 +29,7 @@ class KeptRuns : public testing::Test {
     manifest("statistics.json", {"layer1/00.h5"});
     fs::create_directories(out() / "page");
     std::ofstream(out() / "page/claims.json")
-        << R"([{"id": "a", "paper": "", "ours": "", "verdict": "not", "indication": "not", "reason": "r"}])";
+        << R"([{"id": "a", "paper": "", "ours": "", "verdict": "not", "indication": "not", "decided_by": "result", "reason": "r"}])";
     manifest("page", {"layer1/00.h5", "statistics.json"});
   }
   fs::path out() const { return folder_.path() / "out"; }
@@ -40,6 +40,7 @@ class KeptRuns : public testing::Test {
   void manifest(const std::string& output, const std::vector<std::string>& inputs) const {
     Node node;
     node.output = output;
+    node.stage = output.substr(0, output.find('/'));
     node.settings = {{"x", 1}};
     Manifest m;
     for (const std::string& input : inputs) {
@@ -52,6 +53,9 @@ class KeptRuns : public testing::Test {
     m.fingerprint = fingerprint(out() / output);
     m.run = kToolchain;
     m.run["version"] = "v1";
+    m.run["seconds"] = 3;
+    m.run["cpu_seconds"] = 5;
+    m.run["peak_memory_bytes"] = 7'000'000;
     write_manifest(manifest_path(out(), node), m);
   }
   std::string complaint() const {
@@ -72,6 +76,8 @@ TEST_F(KeptRuns, ComeBackAsTheyWere) {
   EXPECT_EQ(run.artifacts.size(), 1u);
   EXPECT_EQ(run.artifacts.at("layer1/00.h5").bytes, sha256_of_text("bytes").substr(0, 16));
   EXPECT_FALSE(run.statistics.at("").contains("curves"));
+  EXPECT_EQ(run.costs.at("layer1"), (StageCost{1, 3, 5, 7e6, 5}));
+  EXPECT_EQ(whole_cost(run.costs).cpu_seconds, 15);
   KeptRun more = kept();
   more.statistics["short"] = more.statistics[""];
   for (const KeptRun& each : {run, more}) {
@@ -83,6 +89,7 @@ TEST_F(KeptRuns, ComeBackAsTheyWere) {
     EXPECT_EQ(again.statistics, each.statistics);
     EXPECT_EQ(again.claims, each.claims);
     EXPECT_EQ(again.artifacts, each.artifacts);
+    EXPECT_EQ(again.costs, each.costs);
   }
   write_kept(kept(), folder_.path() / "kept");
   EXPECT_EQ(read_kept(folder_.path() / "kept").statistics.size(), 1u);  // the variation's is gone
@@ -125,6 +132,23 @@ TEST_F(KeptRuns, TheListOfArtifactsIsReadStrictly) {
                 testing::ThrowsMessage<InputError>(testing::StartsWith(file.string() + ": expected ")))
         << wrong;
   }
+}
+
+TEST_F(KeptRuns, TheListOfCostsIsReadStrictly) {
+  write_kept(kept(), folder_.path() / "kept");
+  const fs::path file = folder_.path() / "kept/costs.csv";
+  const std::string good = read_whole(file);
+  for (const std::string& wrong :
+       {std::string(), "x" + good, good + "\n", good + "a,1,1,1,1\n", good + "a,1,1,1,1,1,1\n",
+        good + "a,1,1,1,1,-1\n", good + "a,1,nan,1,1,1\n", good + "a,1,1;1,1,1\n",
+        good + "a,1,1,1,1,1\na,1,1,1,1,1\n"}) {
+    write_file(file, wrong);
+    EXPECT_THAT([&] { read_kept(folder_.path() / "kept"); },
+                testing::ThrowsMessage<InputError>(testing::StartsWith(file.string() + ": expected ")))
+        << wrong;
+  }
+  fs::remove(file);
+  EXPECT_TRUE(read_kept(folder_.path() / "kept").costs.empty());
 }
 
 TEST_F(KeptRuns, AreReadStrictly) {

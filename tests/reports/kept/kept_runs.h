@@ -52,12 +52,16 @@ inline KeptRun kept() {
                         {"tests", nlohmann::json::object()},
                         {"boxes", nlohmann::json::object()}};
   run.claims = nlohmann::json::parse(
-      R"([{"id": "a", "paper": "2", "ours": "2.1", "verdict": "reproduced", "indication": "reproduced"},
-          {"id": "b", "paper": "1", "ours": "–", "verdict": "not at this size", "indication": "partly"},
-          {"id": "c", "paper": "1", "ours": "–", "verdict": "not at this size", "indication": ""}])");
+      R"([{"id": "a", "paper": "2", "ours": "2.1", "verdict": "reproduced", "indication": "reproduced",
+            "decided_by": "result"},
+          {"id": "b", "paper": "1", "ours": "–", "verdict": "not at this size", "indication": "partly",
+            "decided_by": "result"},
+          {"id": "c", "paper": "1", "ours": "–", "verdict": "not at this size", "indication": "",
+            "decided_by": "design"}])");
   run.artifacts = {{"layer1/00.h5", {std::string(16, '1'), std::string(16, 'a')}},
                    {"layer1/01.h5", {std::string(16, '2'), std::string(16, 'b')}},
                    {"judge.h5", {std::string(16, '3'), std::string(16, 'c')}}};
+  run.costs = {{"judge", {1, 30.25, 30, 2e8, 4.5e6}}, {"layer1", {2, 1.5, 1.25, 1e8, 1e6}}};
   return run;
 }
 

@@ -40,6 +40,7 @@ TEST(Template, FillsInNumbers) {
   EXPECT_EQ(fill("{{stat:layer2.n10.size:n}} "), "3 " + kRest);
   EXPECT_EQ(fill("{{stat:accuracy.n1:median}} "), "2.70·10⁻⁴\u202fm² " + kRest);
   EXPECT_EQ(fill("{{stat:digit_verdicts.hbr.good:percent}} "), "60 [55; 65]\u202f% " + kRest);
+  EXPECT_EQ(fill("{{stat:digit_verdicts.hbr.good:share}} "), "60\u202f% " + kRest);
   EXPECT_EQ(fill("{{number:transfer.nao.absolute_median}} "), "0.916\u202f% " + kRest);
   EXPECT_EQ(fill("{{test:accuracy.n1_vs_accuracy.n10:p}} {{test:accuracy.n1_vs_accuracy.n10:ratio}} "),
             "p = 7.1·10⁻¹⁸ 3.88 " + kRest);
@@ -60,6 +61,7 @@ TEST(Template, RefusesWhatNothingFills) {
   expect_error("{{stat:layer2.n10.size:meadian}}", "'stat:layer2.n10.size:meadian'");
   expect_error("{{profile}}", "'profile'");
   expect_error("{{test:accuracy.n1:p}}", "'test:accuracy.n1:p'");
+  expect_error("{{number:transfer.nao.absolute_median:share}}", "absolute_median:share'");
   // A slip in a condition is no absence.
   expect_error("{{if stat:layer2.n10.sice}}x{{end}}", "which no profile measures");
   expect_error("{{if value:profile}}x{{end}}", "expected stat:NAME");

@@ -1,0 +1,45 @@
+// Tables of what kept runs found and cost, in the READMEs: placed by machine between two marks,
+//
+//   <!-- table NAME: `make figures` fills it -->
+//   ...
+//   <!-- end of table -->
+//
+// so that a figure there is a kept run's. reports/kept_tables.toml has their rows.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/kept/kept_run.h"
+
+namespace hbr {
+
+struct KeptTableRow {
+  std::string what;                // the first cell
+  std::vector<std::string> runs;   // whose figures it has; none: those of the table
+  std::vector<std::string> cells;  // for each run; places as in reports/text/template.h
+  std::string last;                // the last cell
+};
+
+struct KeptTable {
+  std::string name, file;  // a path below the repository
+  std::vector<std::string> head, runs;
+  std::vector<KeptTableRow> rows;
+};
+
+// Throws InputError: file, line, what was expected and found.
+std::vector<KeptTable> read_kept_tables(const std::filesystem::path& path);
+
+// As Markdown. A cell that asks for what its run did not measure, or for a run that is not kept, is a dash.
+// Besides statistics a cell may ask for {{value:cpu}}, {{value:memory}} and {{value:disk}} of the run, and
+// {{value:verdicts}}. Throws InputError where a cell asks for what no run can have, or a row has another
+// number of cells than the head.
+std::string as_markdown(const KeptTable& table, const std::map<std::string, KeptRun>& kept);
+
+// `text` with the table in the place of what stood between its marks. Throws InputError where they are
+// missing.
+std::string with_table(const std::string& text, const KeptTable& table, const std::string& markdown);
+
+}  // namespace hbr

@@ -1,0 +1,95 @@
+#include "reports/kept/kept_tables.h"
+
+#include <gmock/gmock.h>
+
+#include "pipeline/artifact/content.h"
+#include "pipeline/core/check.h"
+#include "tests/reports/kept/kept_runs.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const KeptTable kTable = {"t",
+                          "README.md",
+                          {"What", "paper", "lines", "the paper says"},
+                          {"paper", "lines"},
+                          {{"lines", {}, {"{{stat:accuracy.n10:n}} of {{number:pooled.layer2_size}}"}, "1"},
+                           {"not measured", {}, {"{{stat:layer4.mean:median}}"}, ""},
+                           {"one run's", {"paper"}, {"{{value:cpu}}", "{{value:memory}}"}, ""},
+                           {"verdicts", {}, {"{{value:verdicts}}"}, ""}}};
+
+TEST(KeptTables, HoldTheKeptRunsFigures) {
+  KeptRun old = kept();
+  old.costs.clear();
+  EXPECT_EQ(as_markdown(kTable, {{"paper", kept()}}),
+            "| What | paper | lines | the paper says |\n"
+            "| --- | --- | --- | --- |\n"
+            "| lines | 50 of 1\u202f400 | – | 1 |\n"
+            "| not measured | – | – |  |\n"
+            "| one run's | 31\u202fs | 0.20\u202fGB |  |\n"
+            "| verdicts | 1 / 0 / 0 of 2 | – |  |\n");
+  EXPECT_THAT(as_markdown(kTable, {{"paper", old}}), HasSubstr("| one run's | – | – |  |"));
+}
+
+TEST(KeptTables, RefuseWhatNoRunCanHave) {
+  for (const char* wrong :
+       {"{{stat:acuracy.n10}}", "{{value:cpus}}", "{{test:accuracy.n10:p}}", "{{stat}}"}) {
+    KeptTable table = kTable;
+    table.rows[0].cells = {wrong};
+    EXPECT_THROW(as_markdown(table, {{"paper", kept()}}), InputError) << wrong;
+  }
+  KeptTable table = kTable;
+  table.rows[0].cells.push_back("more");
+  EXPECT_THAT([&] { as_markdown(table, {}); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("expected 4 cells, as in its head, found 6 in the row of 'lines'")));
+}
+
+TEST(KeptTables, StandBetweenTheirMarks) {
+  const std::string begin = "a\n<!-- table t: `make figures` fills it -->\n",
+                    end = "<!-- end of table -->\nb\n";
+  EXPECT_EQ(with_table(begin + "old\n" + end, kTable, "new\n"), begin + "new\n" + end);
+  EXPECT_EQ(with_table(begin + end, kTable, "new\n"), begin + "new\n" + end);
+  for (const std::string& text : {std::string(), begin, end, end + begin})
+    EXPECT_THAT(
+        [&] { with_table(text, kTable, ""); },
+        ThrowsMessage<InputError>(HasSubstr("README.md: expected a line '<!-- table t: `make figures`")));
+}
+
+TEST(KeptTables, AreReadStrictly) {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "t.toml";
+  const std::string good =
+      "[[tables]]\nname = 't'\nfile = 'f'\nhead = ['a', 'b']\nruns = []\nrows = [{what = 'w', runs = [], "
+      "cells = "
+      "[], last = 'l'}]\n";
+  write_file(file, good);
+  EXPECT_EQ(read_kept_tables(file).at(0).rows.at(0).last, "l");
+  for (const std::string& wrong :
+       {good + "nam = 't'\n", good.substr(0, good.find("rows")), std::string("[[tables\n")}) {
+    write_file(file, wrong);
+    EXPECT_THAT([&] { read_kept_tables(file); },
+                ThrowsMessage<InputError>(testing::StartsWith(file.string())));
+  }
+}
+
+// Whoever keeps another run, or edits a figure by hand, is told to run `make figures`.
+TEST(KeptTables, OfTheReadmesAreTheReferences) {
+  const std::filesystem::path sources = HBR_SOURCE_DIR;
+  const auto kept = read_all_kept(sources / "reports/reference");
+  EXPECT_TRUE(kept.contains("reduced") && kept.contains("paper"));
+  const auto tables = read_kept_tables(sources / "reports/kept_tables.toml");
+  EXPECT_FALSE(tables.empty());
+  for (const KeptTable& table : tables) {
+    const std::string text = read_whole(sources / table.file);
+    EXPECT_EQ(with_table(text, table, as_markdown(table, kept)), text)
+        << table.file << ": `make figures` fills its table '" << table.name << "'";
+  }
+}
+
+}  // namespace
+}  // namespace hbr
