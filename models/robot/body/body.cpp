@@ -124,34 +124,12 @@ std::vector<Eigen::Isometry3d> Body::link_poses(const Eigen::VectorXd& joints) c
 }
 
 void Body::positions(int link, Eigen::Index n, const double* joints, Eigen::Vector3d* out) const {
-  const Lease instance(*this);
-  const Parts::Place& place = plan_->places.at(link);
-  const SimTK::MobilizedBody& body = instance->bodies[place.part];
-  const SimTK::Vec3 station = vec3(place.pose.translation());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    instance->pose(*plan_, joints + i * dof());
-    out[i] = eigen(body.findStationLocationInGround(instance->state, station));
-  }
+  for (Eigen::Index i = 0; i < n; ++i) out[i] = position(link, joints + i * dof());
 }
 
 Eigen::Vector3d Body::position(int link, const double* joints, Eigen::Matrix3Xd* jacobian) const {
-  const Lease instance(*this);
   const Parts::Place& place = plan_->places.at(link);
-  const SimTK::MobilizedBody& body = instance->bodies[place.part];
-  const SimTK::Vec3 station = vec3(place.pose.translation());
-  instance->pose(*plan_, joints);
-  if (jacobian) {
-    SimTK::Matrix_<SimTK::Vec3>& by_speed = instance->jacobian;
-    instance->matter.calcStationJacobian(
-        instance->state, SimTK::Array_<SimTK::MobilizedBodyIndex>(1, body.getMobilizedBodyIndex()),
-        SimTK::Array_<SimTK::Vec3>(1, station), by_speed);
-    jacobian->setZero(3, dof());
-    for (std::size_t i = 1; i < plan_->parts.size(); ++i) {
-      const Part& part = plan_->parts[i];
-      jacobian->col(part.coordinate) += part.multiplier * eigen(by_speed(0, instance->slots[i]));
-    }
-  }
-  return eigen(body.findStationLocationInGround(instance->state, station));
+  return tree_->place(place.part, place.pose.translation(), joints, jacobian);
 }
 
 void Body::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,

@@ -1,6 +1,6 @@
-// A robot as a multibody system: any URDF, posed by the joints that are asked for. Simbody knows where its
-// links are; its equations of motion, which servos ask for at every step, are a recursion of our own
-// (motion_tree.h).
+// A robot as a multibody system: any URDF, posed by the joints that are asked for. Simbody knows where all of
+// its links are; where one is, which inverse kinematics asks for, and the equations of motion, which servos
+// ask for at every step, are recursions of our own (motion_tree.h).
 //
 // The body is immutable. Every thread that asks it something works on a System and State of its own, taken
 // from a pool, so all members may be called from any thread at once. Only simbody_system.h sees Simbody's

@@ -66,6 +66,7 @@ MotionTree::MotionTree(const RobotModel& model, const Parts& parts, int ground, 
   std::vector<bool> hung(parts.parts.size(), false);
   hung[ground] = true;
   std::vector<Grown> grown{{ground, -1}};
+  carriers_.resize(parts.parts.size());
   for (std::size_t next = 0; next < grown.size(); ++next) {
     const Grown from = grown[next];
     const auto hang = [&](int to, int joint_of) {
@@ -74,6 +75,8 @@ MotionTree::MotionTree(const RobotModel& model, const Parts& parts, int ground, 
       const Part &part = parts.parts[to], &moved = parts.parts[joint_of];
       const Joint& joint = model.joints[moved.joint];
       grown.push_back({to, static_cast<int>(limbs_.size())});
+      carriers_[to] = carriers_[from.part];
+      carriers_[to].push_back(grown.back().limb);
       limbs_.push_back({from.limb, to != joint_of, joint.kind == Joint::Kind::prismatic, moved.origin,
                         joint.axis, moved.coordinate, moved.multiplier, moved.offset, part.mass, part.centre,
                         part.inertia_origin - point_inertia(part.mass, part.centre)});
@@ -84,6 +87,48 @@ MotionTree::MotionTree(const RobotModel& model, const Parts& parts, int ground, 
   }
 }
 
+Eigen::Isometry3d MotionTree::pose_of(const Limb& limb, double position, const Eigen::Isometry3d& carrier) {
+  Eigen::Isometry3d joint = limb.origin;
+  if (limb.slides)
+    joint.translate(position * limb.axis);
+  else
+    joint.rotate(Eigen::AngleAxisd(position, limb.axis));
+  return limb.reversed ? carrier * joint.inverse() : carrier * joint;
+}
+
+// Where the joint is in its child; turned back where the child carries.
+Eigen::Vector3d MotionTree::axis_of(const Limb& limb, const Eigen::Isometry3d& child) {
+  return (limb.reversed ? -1 : 1) * (child.linear() * limb.axis);
+}
+
+Eigen::Vector3d MotionTree::place(int part, const Eigen::Vector3d& point, const double* joints,
+                                  Eigen::Matrix3Xd* slopes) const {
+  Eigen::Isometry3d pose = pose_;
+  Eigen::Matrix3Xd turning;  // by each joint: how the part turns; slopes: how its point at the origin moves
+  if (slopes) {
+    turning.setZero(3, dof_);
+    slopes->setZero(3, dof_);
+  }
+  for (const int i : carriers_.at(part)) {
+    const Limb& limb = limbs_[i];
+    const Eigen::Isometry3d carrier = pose;
+    pose = pose_of(limb, limb.multiplier * joints[limb.coordinate] + limb.offset, carrier);
+    if (!slopes) continue;
+    const Eigen::Isometry3d& child = limb.reversed ? carrier : pose;
+    const Eigen::Vector3d axis = limb.multiplier * axis_of(limb, child);
+    if (limb.slides) {
+      slopes->col(limb.coordinate) += axis;
+    } else {
+      turning.col(limb.coordinate) += axis;
+      slopes->col(limb.coordinate) += child.translation().cross(axis);
+    }
+  }
+  const Eigen::Vector3d place = pose * point;
+  if (slopes)
+    for (Eigen::Index c = 0; c < dof_; ++c) slopes->col(c) += Eigen::Vector3d(turning.col(c)).cross(place);
+  return place;
+}
+
 std::vector<MotionTree::MovingLimb> MotionTree::moved(const Eigen::VectorXd& joints,
                                                       const Eigen::VectorXd& speeds,
                                                       const Eigen::VectorXd* accelerations,
@@ -92,18 +137,11 @@ std::vector<MotionTree::MovingLimb> MotionTree::moved(const Eigen::VectorXd& joi
   for (std::size_t i = 0; i < moving.size(); ++i) {
     const Limb& limb = limbs_[i];
     MovingLimb& now = moving[i];
-    const double position = limb.multiplier * joints[limb.coordinate] + limb.offset,
-                 speed = limb.multiplier * speeds[limb.coordinate];
-    Eigen::Isometry3d joint = limb.origin;
-    if (limb.slides)
-      joint.translate(position * limb.axis);
-    else
-      joint.rotate(Eigen::AngleAxisd(position, limb.axis));
+    const double speed = limb.multiplier * speeds[limb.coordinate];
     const Eigen::Isometry3d& carrier = limb.on < 0 ? pose_ : moving[limb.on].pose;
-    now.pose = limb.reversed ? carrier * joint.inverse() : carrier * joint;
-    // The axis is where the joint is in its child; turned back where the child carries.
+    now.pose = pose_of(limb, limb.multiplier * joints[limb.coordinate] + limb.offset, carrier);
     const Eigen::Isometry3d& child = limb.reversed ? carrier : now.pose;
-    const Eigen::Vector3d axis = (limb.reversed ? -1 : 1) * (child.linear() * limb.axis);
+    const Eigen::Vector3d axis = axis_of(limb, child);
     now.axis =
         limb.slides ? Spatial{Eigen::Vector3d::Zero(), axis} : Spatial{axis, child.translation().cross(axis)};
 

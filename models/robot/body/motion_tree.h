@@ -1,6 +1,7 @@
-// The equations of motion of parts that hang on each other, by recursion (R. Featherstone, Rigid Body
-// Dynamics Algorithms, 2008: composite rigid bodies, recursive Newton-Euler). A part costs the same however
-// many there are, and only joints of which one carries the other have a common entry in the mass matrix.
+// Where parts are that hang on each other, and their equations of motion, by recursion (R. Featherstone,
+// Rigid Body Dynamics Algorithms, 2008: composite rigid bodies, recursive Newton-Euler). A part costs the
+// same however many there are, and only joints of which one carries the other have a common entry in the mass
+// matrix.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -28,7 +29,12 @@ class MotionTree {
   MotionTree(const RobotModel& model, const Parts& parts, int ground, const Eigen::Isometry3d& pose,
              Eigen::Index dof);
 
-  // At these joints and speeds [dof] under uniform gravity, m/s^2. Thread-safe.
+  // Where a point of a part is at these joints [dof], in the root link's frame, m; with its derivative by the
+  // joints [3 x dof] where asked for. Only what carries the part is looked at. Thread-safe, as all below.
+  Eigen::Vector3d place(int part, const Eigen::Vector3d& point, const double* joints,
+                        Eigen::Matrix3Xd* slopes = nullptr) const;
+
+  // At these joints and speeds [dof] under uniform gravity, m/s^2.
   void equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds, const Eigen::Vector3d& gravity,
                  Equations& out) const;
 
@@ -51,15 +57,20 @@ class MotionTree {
     Eigen::Matrix3d inertia;  // about the centre, in the part's frame
   };
 
+  // The limb's frame, and the axis of its joint, where what carries it is so.
+  static Eigen::Isometry3d pose_of(const Limb& limb, double position, const Eigen::Isometry3d& carrier);
+  static Eigen::Vector3d axis_of(const Limb& limb, const Eigen::Isometry3d& child);
+
   struct MovingLimb;
   // Every limb as it moves, with the forces on itself alone; without accelerations those of the joints are 0.
   std::vector<MovingLimb> moved(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
                                 const Eigen::VectorXd* accelerations, const Eigen::Vector3d& gravity) const;
 
   Eigen::Isometry3d pose_;
-  double ground_mass_;             // of the part that stands still
-  Eigen::Vector3d ground_centre_;  // of that mass
-  std::vector<Limb> limbs_;        // carriers before what they carry
+  double ground_mass_;                      // of the part that stands still
+  Eigen::Vector3d ground_centre_;           // of that mass
+  std::vector<Limb> limbs_;                 // carriers before what they carry
+  std::vector<std::vector<int>> carriers_;  // of each part: the limbs from the ground to it, its own the last
   Eigen::Index dof_;
 };
 

@@ -29,7 +29,6 @@ struct SimbodySystem {
   std::vector<SimTK::MobilizedBody> bodies;  // of each part
   std::vector<int> slots;                    // of each part's joint: its place among the state's coordinates
   SimTK::State state;
-  SimTK::Matrix_<SimTK::Vec3> jacobian;
 
   // A tree that grows from the part that stands still: joints on the way from there to the root are built
   // from their child to their parent, and mean the same.

@@ -1,5 +1,5 @@
-// The recursion against Simbody's mass matrix and inverse dynamics. Compiled as Simbody's headers want it
-// (tests/CMakeLists.txt).
+// The recursion against Simbody's places, mass matrix and inverse dynamics. Compiled as Simbody's headers
+// want it (tests/CMakeLists.txt).
 #include "models/robot/body/motion_tree.h"
 
 #include <Eigen/Cholesky>
@@ -50,6 +50,21 @@ Equations by_simbody(SimbodySystem& body, const SystemPlan& plan, const Eigen::V
   return out;
 }
 
+// By the joints, of a point of a part.
+Eigen::Matrix3Xd slopes_by_simbody(SimbodySystem& body, const SystemPlan& plan, const Eigen::VectorXd& joints,
+                                   int part, const Eigen::Vector3d& point) {
+  body.pose(plan, joints.data());
+  SimTK::Matrix_<SimTK::Vec3> by_speed;
+  body.matter.calcStationJacobian(
+      body.state, SimTK::Array_<SimTK::MobilizedBodyIndex>(1, body.bodies[part].getMobilizedBodyIndex()),
+      SimTK::Array_<SimTK::Vec3>(1, vec3(point)), by_speed);
+  Eigen::Matrix3Xd slopes = Eigen::Matrix3Xd::Zero(3, joints.size());
+  for (std::size_t i = 0; i < plan.parts.size(); ++i)
+    if (body.slots[i] >= 0)
+      slopes.col(plan.parts[i].coordinate) += plan.parts[i].multiplier * eigen(by_speed(0, body.slots[i]));
+  return slopes;
+}
+
 // A robot with all joints that move mass, standing on a link; "": on its root.
 struct Case {
   Case(const RobotModel& model, const std::vector<std::string>& joints, const std::string& ground)
@@ -83,6 +98,19 @@ void expect_simbodys(const RobotModel& model, const std::vector<std::string>& jo
     const Equations expected = by_simbody(*robot.simbody, robot.plan, q, v, gravity);
     EXPECT_LT((found.mass - expected.mass).norm(), 1e-11 * expected.mass.norm()) << ground;
     EXPECT_LT((found.bias - expected.bias).norm(), 1e-11 * expected.bias.norm()) << ground;
+    const std::vector<Eigen::Isometry3d> poses = robot.body.link_poses(q);
+    for (int link = 0; link < static_cast<int>(poses.size()); ++link) {
+      const Parts::Place& place = robot.plan.places[link];
+      Eigen::Matrix3Xd slopes;
+      const Eigen::Vector3d found_place = robot.body.position(link, q.data(), &slopes);
+      EXPECT_LT((found_place - poses[link].translation()).norm(), 1e-13) << ground << link;
+      EXPECT_EQ(found_place, robot.body.position(link, q.data())) << ground << link;
+      EXPECT_LT(
+          (slopes - slopes_by_simbody(*robot.simbody, robot.plan, q, place.part, place.pose.translation()))
+              .norm(),
+          1e-12)
+          << ground << link;
+    }
   }
 }
 
