@@ -115,11 +115,10 @@ Eigen::Vector3d Body::centre_of_mass(const Eigen::VectorXd& joints) const {
 
 std::vector<Eigen::Isometry3d> Body::link_poses(const Eigen::VectorXd& joints) const {
   HBR_CHECK(joints.size() == dof(), "joints {}, expected {}", joints.size(), dof());
-  const Lease instance(*this);
-  instance->pose(*plan_, joints.data());
+  const std::vector<Eigen::Isometry3d> parts = tree_->poses(joints.data());
   std::vector<Eigen::Isometry3d> poses;
-  for (const Parts::Place& place : plan_->places)
-    poses.push_back(eigen(instance->bodies[place.part].getBodyTransform(instance->state)) * place.pose);
+  poses.reserve(plan_->places.size());
+  for (const Parts::Place& place : plan_->places) poses.push_back(parts[place.part] * place.pose);
   return poses;
 }
 

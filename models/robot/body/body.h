@@ -1,6 +1,7 @@
-// A robot as a multibody system: any URDF, posed by the joints that are asked for. Simbody knows where all of
-// its links are; where one is, which inverse kinematics asks for, and the equations of motion, which servos
-// ask for at every step, are recursions of our own (motion_tree.h).
+// A robot as a multibody system: any URDF, posed by the joints that are asked for. Simbody builds it, refuses
+// what is none, and knows its mass and what its joints' frames are. Where its links are, which inverse
+// kinematics and every child of a search ask for, and the equations of motion, which servos ask for at every
+// step, are recursions of our own (motion_tree.h), held against Simbody's by tests.
 //
 // The body is immutable. Every thread that asks it something works on a System and State of its own, taken
 // from a pool, so all members may be called from any thread at once. Only simbody_system.h sees Simbody's

@@ -77,7 +77,7 @@ MotionTree::MotionTree(const RobotModel& model, const Parts& parts, int ground, 
       grown.push_back({to, static_cast<int>(limbs_.size())});
       carriers_[to] = carriers_[from.part];
       carriers_[to].push_back(grown.back().limb);
-      limbs_.push_back({from.limb, to != joint_of, joint.kind == Joint::Kind::prismatic, moved.origin,
+      limbs_.push_back({to, from.limb, to != joint_of, joint.kind == Joint::Kind::prismatic, moved.origin,
                         joint.axis, moved.coordinate, moved.multiplier, moved.offset, part.mass, part.centre,
                         part.inertia_origin - point_inertia(part.mass, part.centre)});
     };
@@ -127,6 +127,14 @@ Eigen::Vector3d MotionTree::place(int part, const Eigen::Vector3d& point, const 
   if (slopes)
     for (Eigen::Index c = 0; c < dof_; ++c) slopes->col(c) += Eigen::Vector3d(turning.col(c)).cross(place);
   return place;
+}
+
+std::vector<Eigen::Isometry3d> MotionTree::poses(const double* joints) const {
+  std::vector<Eigen::Isometry3d> all(carriers_.size(), pose_);
+  for (const Limb& limb : limbs_)
+    all[limb.part] = pose_of(limb, limb.multiplier * joints[limb.coordinate] + limb.offset,
+                             limb.on < 0 ? pose_ : all[limbs_[limb.on].part]);
+  return all;
 }
 
 std::vector<MotionTree::MovingLimb> MotionTree::moved(const Eigen::VectorXd& joints,

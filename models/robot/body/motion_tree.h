@@ -34,6 +34,9 @@ class MotionTree {
   Eigen::Vector3d place(int part, const Eigen::Vector3d& point, const double* joints,
                         Eigen::Matrix3Xd* slopes = nullptr) const;
 
+  // Every part's frame in the root link's, at these joints [dof].
+  std::vector<Eigen::Isometry3d> poses(const double* joints) const;
+
   // At these joints and speeds [dof] under uniform gravity, m/s^2.
   void equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds, const Eigen::Vector3d& gravity,
                  Equations& out) const;
@@ -45,7 +48,7 @@ class MotionTree {
  private:
   // A part that moves, hung on one before it in this list; -1 is the ground.
   struct Limb {
-    int on;
+    int part, on;
     bool reversed;  // the joint's child carries its parent
     bool slides;
     Eigen::Isometry3d origin;  // of the joint, in the frame of its parent

@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace hbr {
+namespace {
+
+bool touch(const Capsule& a, const Capsule& b) {
+  const double far = a.reach() + b.reach(), near = a.radius + b.radius;
+  return (a.middle - b.middle).squaredNorm() <= far * far && squared_distance(a, b) < near * near;
+}
+
+}  // namespace
 
 SelfCollision::SelfCollision(const Body& body) {
   const RobotModel& model = body.model();
@@ -22,21 +30,17 @@ SelfCollision::SelfCollision(const Body& body) {
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b) {
       const int k = capsules_[a].link, l = capsules_[b].link;
-      if (moved_by[k] != moved_by[l] && !connected(k, l) && !connected(l, k) && !touch({a, b}, poses))
+      if (moved_by[k] != moved_by[l] && !connected(k, l) && !connected(l, k) &&
+          !touch(capsules_[a].at(poses[k]), capsules_[b].at(poses[l])))
         pairs_.push_back({a, b});
     }
 }
 
-bool SelfCollision::touch(const Pair& pair, const std::vector<Eigen::Isometry3d>& poses) const {
-  const Capsule a = capsules_[pair.a].at(poses[capsules_[pair.a].link]),
-                b = capsules_[pair.b].at(poses[capsules_[pair.b].link]);
-  const double far = a.reach() + b.reach(), near = a.radius + b.radius;
-  if ((a.middle - b.middle).squaredNorm() > far * far) return false;
-  return squared_distance(a, b) < near * near;
-}
-
 bool SelfCollision::collides(const std::vector<Eigen::Isometry3d>& poses) const {
-  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return touch(pair, poses); });
+  std::vector<Capsule> placed;
+  placed.reserve(capsules_.size());
+  for (const Capsule& capsule : capsules_) placed.push_back(capsule.at(poses[capsule.link]));
+  return std::ranges::any_of(pairs_, [&](const Pair& pair) { return touch(placed[pair.a], placed[pair.b]); });
 }
 
 }  // namespace hbr

@@ -21,7 +21,6 @@ class SelfCollision {
   struct Pair {
     int a, b;  // capsules
   };
-  bool touch(const Pair& pair, const std::vector<Eigen::Isometry3d>& poses) const;
 
   std::vector<Capsule> capsules_;
   std::vector<Pair> pairs_;

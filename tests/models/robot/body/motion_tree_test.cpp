@@ -101,6 +101,9 @@ void expect_simbodys(const RobotModel& model, const std::vector<std::string>& jo
     const std::vector<Eigen::Isometry3d> poses = robot.body.link_poses(q);
     for (int link = 0; link < static_cast<int>(poses.size()); ++link) {
       const Parts::Place& place = robot.plan.places[link];
+      const Eigen::Isometry3d simbodys =
+          eigen(robot.simbody->bodies[place.part].getBodyTransform(robot.simbody->state)) * place.pose;
+      EXPECT_LT((poses[link].matrix() - simbodys.matrix()).norm(), 1e-13) << ground << link;
       Eigen::Matrix3Xd slopes;
       const Eigen::Vector3d found_place = robot.body.position(link, q.data(), &slopes);
       EXPECT_LT((found_place - poses[link].translation()).norm(), 1e-13) << ground << link;
