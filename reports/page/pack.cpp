@@ -13,11 +13,12 @@
 namespace hbr {
 namespace {
 
+// Level 9 takes twice the time of the whole page and makes it 0.2 % smaller.
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
   const int code = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                             reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 9);
+                             reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(), 6);
   HBR_CHECK(code == Z_OK, "zlib cannot deflate {} bytes: {}", bytes.size(), code);
   packed.resize(size);
   return packed;
