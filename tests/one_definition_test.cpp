@@ -69,6 +69,8 @@ std::set<std::string> classes_of(const std::string& source) {
       std::string scope;
       const bool seen = std::ranges::find(scopes, "") == scopes.end();
       if (words.size() == 2 && words[0] == "namespace") scope = words[1];
+      // An inline namespace's names are those of the one around it.
+      if (words.size() == 3 && words[0] == "namespace" && words[1] == "hbr::inline") scope = "hbr";
       const bool is_template = !words.empty() && words[0] == "template";
       for (std::size_t i = 0; seen && !is_template && i + 1 < words.size() && scope.empty(); ++i) {
         if (words[i] == "(" || words[i] == "=") break;
@@ -103,8 +105,10 @@ template <class T> struct Template {};
 void function(struct Declared& d) { struct Local2 {}; }
 struct A::Outside { int y; };
 }
+namespace hbr::inline part { struct D {}; }
 )code");
-  EXPECT_EQ(found, (std::set<std::string>{"hbr::A", "hbr::B", "hbr::C", "hbr::inner::A", "hbr::A::Outside"}));
+  EXPECT_EQ(found, (std::set<std::string>{"hbr::A", "hbr::B", "hbr::C", "hbr::inner::A", "hbr::A::Outside",
+                                          "hbr::D"}));
 }
 
 TEST(OneDefinition, NoTwoFilesDefineAClassOfOneName) {

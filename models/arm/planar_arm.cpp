@@ -6,7 +6,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace hbr {
+namespace hbr::inline arm {
 namespace {
 
 // Configurations in step: loops over the lanes become vectors. A lane never sees another one and no operation
@@ -81,4 +81,4 @@ void PlanarArm::pens(Eigen::Index n, const double* joints, Pen* pens) const {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline arm

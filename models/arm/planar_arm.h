@@ -5,7 +5,7 @@
 
 #include "pipeline/hierarchy/robot.h"
 
-namespace hbr {
+namespace hbr::inline arm {
 
 class PlanarArm final : public Robot {
  public:
@@ -24,4 +24,4 @@ class PlanarArm final : public Robot {
   Eigen::VectorXd lower_, upper_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline arm

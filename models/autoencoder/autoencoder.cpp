@@ -5,7 +5,7 @@
 
 #include "models/autoencoder/forward.h"
 
-namespace hbr {
+namespace hbr::inline autoencoder {
 namespace {
 
 using net::Index;
@@ -98,4 +98,4 @@ void Autoencoder::decode(Eigen::Index n, const float* latent, float* decoded) co
   });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline autoencoder

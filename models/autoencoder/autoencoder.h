@@ -7,7 +7,7 @@
 #include "models/autoencoder/network.h"
 #include "pipeline/hierarchy/descriptor.h"
 
-namespace hbr {
+namespace hbr::inline autoencoder {
 
 class Autoencoder final : public Descriptor {
  public:
@@ -31,4 +31,4 @@ class Autoencoder final : public Descriptor {
   Eigen::VectorXf lower_, upper_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline autoencoder

@@ -6,7 +6,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline autoencoder {
 namespace {
 
 using net::Layer;
@@ -87,4 +87,4 @@ Autoencoder load_autoencoder(const std::filesystem::path& path) {
   return Autoencoder(std::move(network));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline autoencoder

@@ -10,7 +10,7 @@
 #include "models/autoencoder/gradient.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline autoencoder {
 namespace {
 
 using net::TrainingState;
@@ -212,4 +212,4 @@ TrainedAutoencoder train_autoencoder(const AutoencoderSettings& settings, Seed s
   return {Autoencoder(std::move(state.network)), std::move(state.epochs), state.kept_per_class};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline autoencoder

@@ -16,7 +16,7 @@
 #include "pipeline/core/random.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline autoencoder {
 
 struct AutoencoderSettings {
   int epochs = 200;
@@ -93,4 +93,4 @@ struct TrainingHooks {
 TrainedAutoencoder train_autoencoder(const AutoencoderSettings& settings, Seed seed, const ImageSet& train,
                                      const ImageSet& test, Workers& workers, const TrainingHooks& hooks = {});
 
-}  // namespace hbr
+}  // namespace hbr::inline autoencoder

@@ -7,7 +7,7 @@
 #include "models/dataset/idx.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline dataset {
 namespace {
 
 // What holds for images and labels wherever they come from; `where` names each in an error.
@@ -69,4 +69,4 @@ Dataset read_dataset(const std::filesystem::path& path) {
   return {file.text_attribute("name"), read_part(file, "train"), read_part(file, "test")};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline dataset

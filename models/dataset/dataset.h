@@ -10,7 +10,7 @@
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/drawing/draw.h"
 
-namespace hbr {
+namespace hbr::inline dataset {
 
 inline constexpr int kClasses = 10;
 
@@ -41,4 +41,4 @@ Dataset read_idx_folder(const std::string& name, const std::filesystem::path& fo
 void write_dataset(Hdf5Writer& file, const Dataset& dataset);
 Dataset read_dataset(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline dataset

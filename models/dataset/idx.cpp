@@ -12,7 +12,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline dataset {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ Idx read_idx(const fs::path& file, std::size_t dimensions, const std::string& sh
   return idx;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline dataset

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline dataset {
 
 struct Idx {
   std::filesystem::path path;  // the file that was read
@@ -21,4 +21,4 @@ struct Idx {
 // its sizes say. Reads and unpacks no more than these sizes promise.
 Idx read_idx(const std::filesystem::path& file, std::size_t dimensions, const std::string& sha256);
 
-}  // namespace hbr
+}  // namespace hbr::inline dataset

@@ -7,7 +7,7 @@
 
 #include "models/autoencoder/kernels.h"
 
-namespace hbr {
+namespace hbr::inline descriptor {
 
 // Images that a fit takes at a time; fixed, as it decides how sums are rounded.
 inline constexpr Eigen::Index kFittedTogether = 512;
@@ -51,4 +51,4 @@ inline void store_lanes(const ImageTile& tile, net::Index rows, const net::Lanes
     for (net::Index r = 0; r < rows; ++r) to[i * rows + r] = from[r][i];
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline descriptor

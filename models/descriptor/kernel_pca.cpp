@@ -7,7 +7,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
 
-namespace hbr {
+namespace hbr::inline descriptor {
 namespace {
 
 using net::Lanes;
@@ -160,4 +160,4 @@ void KernelPca::write(Hdf5Writer& file) const {
   write_matrix(file, "kernel_pca/painter", painter_);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline descriptor

@@ -10,7 +10,7 @@
 #include "models/descriptor/reconstructing_descriptor.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline descriptor {
 
 struct KernelPcaSettings {
   int landmarks = 0;
@@ -54,4 +54,4 @@ class KernelPca final : public ReconstructingDescriptor {
   Rows painter_;     // [784 x m]: image = mean + painter * kernel values of the position
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline descriptor

@@ -5,7 +5,7 @@
 #include "models/descriptor/image_tile.h"
 #include "pipeline/drawing/draw.h"
 
-namespace hbr {
+namespace hbr::inline descriptor {
 namespace {
 
 // The leading eigenvectors of the images' covariance, as rows.
@@ -70,4 +70,4 @@ void PrincipalComponents::write(Hdf5Writer& file) const {
   write_placement(file, placement_);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline descriptor

@@ -7,7 +7,7 @@
 
 #include "models/descriptor/reconstructing_descriptor.h"
 
-namespace hbr {
+namespace hbr::inline descriptor {
 
 class PrincipalComponents final : public ReconstructingDescriptor {
  public:
@@ -27,4 +27,4 @@ class PrincipalComponents final : public ReconstructingDescriptor {
   Placement placement_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline descriptor

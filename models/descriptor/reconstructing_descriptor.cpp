@@ -7,7 +7,7 @@
 #include "pipeline/drawing/draw.h"
 #include "pipeline/qd/dimension.h"
 
-namespace hbr {
+namespace hbr::inline descriptor {
 namespace {
 
 constexpr Eigen::Index kDescribedTogether = 64;
@@ -95,4 +95,4 @@ Eigen::Index read_dimension(const Hdf5Reader& file) {
   return static_cast<Eigen::Index>(d);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline descriptor

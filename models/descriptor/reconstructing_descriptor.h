@@ -9,7 +9,7 @@
 #include "pipeline/hierarchy/descriptor.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline descriptor {
 
 class ReconstructingDescriptor : public Descriptor {
  public:
@@ -51,4 +51,4 @@ Placement read_placement(const Hdf5Reader& file, Eigen::Index dimension);
 // Attribute `dimension`, 1 to 8.
 Eigen::Index read_dimension(const Hdf5Reader& file);
 
-}  // namespace hbr
+}  // namespace hbr::inline descriptor

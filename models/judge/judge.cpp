@@ -8,7 +8,7 @@
 #include "pipeline/artifact/json_file.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline judge {
 namespace {
 
 // n images, the i-th of them data's index_of(i)-th.
@@ -121,4 +121,4 @@ std::vector<std::uint8_t> lost_digits(const Verdicts& before, const Verdicts& af
   return lost;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline judge

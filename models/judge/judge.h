@@ -17,7 +17,7 @@
 #include "pipeline/core/parallel.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline judge {
 
 struct JudgeSettings {
   int training_images = 0;
@@ -74,4 +74,4 @@ class Judge {
   double typical_distance_ = 0;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline judge

@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline judge {
 namespace {
 
 // Fixed, so that the products' rounding does not depend on who computes them.
@@ -49,4 +49,4 @@ std::vector<std::int32_t> nearest_rows(const Rows& table, const Rows& queries, i
   return nearest;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline judge

@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline judge {
 namespace {
 
 constexpr Eigen::Index kBlock = 512;  // rows at a time; fixed, as it decides how sums are rounded
@@ -61,4 +61,4 @@ RbfClassifier fit_rbf_classifier(const Rows& features, const std::vector<std::ui
   return classifier;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline judge

@@ -11,7 +11,7 @@
 #include "pipeline/core/parallel.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline judge {
 
 struct RbfClassifier {
   Rows centres;      // [bumps x d]
@@ -28,4 +28,4 @@ struct RbfClassifier {
 RbfClassifier fit_rbf_classifier(const Rows& features, const std::vector<std::uint8_t>& labels, int classes,
                                  int bumps, double gamma, double ridge);
 
-}  // namespace hbr
+}  // namespace hbr::inline judge

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace hbr {
+namespace hbr::inline judge {
 
 std::vector<std::size_t> surest_of_each_class(const JudgedDigits& digits) {
   const auto rank = [&](std::size_t i) { return std::pair(digits.good[i] != 0, digits.confidence[i]); };
@@ -27,4 +27,4 @@ std::size_t most_legible(const JudgedDigits& digits) {
   return best;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline judge

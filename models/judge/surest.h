@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline judge {
 
 // What the judge says of images [n]: see judge.h.
 struct JudgedDigits {
@@ -20,4 +20,4 @@ std::vector<std::size_t> surest_of_each_class(const JudgedDigits& digits);
 // with the greatest confidence; of several the first. There is at least one.
 std::size_t most_legible(const JudgedDigits& digits);
 
-}  // namespace hbr
+}  // namespace hbr::inline judge

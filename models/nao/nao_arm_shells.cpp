@@ -2,7 +2,7 @@
 #include "models/nao/nao_paint.h"
 #include "models/nao/nao_shells.h"
 
-namespace hbr {
+namespace hbr::inline nao {
 
 using namespace nao;
 
@@ -58,4 +58,4 @@ std::vector<Mesh> nao_fingers() {
   return meshes;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline nao

@@ -2,7 +2,7 @@
 #include "models/nao/nao_paint.h"
 #include "models/nao/nao_shells.h"
 
-namespace hbr {
+namespace hbr::inline nao {
 
 using namespace nao;
 
@@ -66,4 +66,4 @@ std::vector<Mesh> nao_head() {
   return meshes;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline nao

@@ -2,7 +2,7 @@
 #include "models/nao/nao_paint.h"
 #include "models/nao/nao_shells.h"
 
-namespace hbr {
+namespace hbr::inline nao {
 
 using namespace nao;
 
@@ -48,4 +48,4 @@ std::vector<Mesh> nao_foot() {
   };
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline nao

@@ -4,7 +4,7 @@
 #include "models/robot/looks/mesh_file.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline nao {
 
 std::map<std::string, std::vector<Mesh>> nao_meshes() {
   std::map<std::string, std::vector<Mesh>> meshes = {
@@ -40,4 +40,4 @@ void write_nao_meshes(const std::filesystem::path& folder) {
     save_scene(folder / (name + ".obj"), "obj", {{name, meshes}});
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline nao

@@ -9,7 +9,7 @@
 
 #include "models/robot/looks/mesh.h"
 
-namespace hbr {
+namespace hbr::inline nao {
 
 // By the name of the mesh in nao.urdf ("Torso", else the joint that moves it), in the link's frame.
 std::map<std::string, std::vector<Mesh>> nao_meshes();
@@ -17,4 +17,4 @@ std::map<std::string, std::vector<Mesh>> nao_meshes();
 // Writes them as NAME.obj with NAME.mtl into `folder`, which is made. Throws InputError where it can't.
 void write_nao_meshes(const std::filesystem::path& folder);
 
-}  // namespace hbr
+}  // namespace hbr::inline nao

@@ -3,7 +3,7 @@
 
 #include "models/robot/looks/shapes.h"
 
-namespace hbr::nao {
+namespace hbr::inline nao {
 
 inline const Eigen::Vector3f kWhite(0.93f, 0.94f, 0.95f);
 inline const Eigen::Vector3f kAccent(0.27f, 0.43f, 0.62f);  // grey-blue
@@ -33,4 +33,4 @@ inline Mesh along_x(Mesh mesh) {
 }
 inline Mesh along_y(Mesh mesh) { return facing(Eigen::Vector3d::UnitY(), std::move(mesh)); }
 
-}  // namespace hbr::nao
+}  // namespace hbr::inline nao

@@ -6,7 +6,7 @@
 
 #include "models/robot/looks/mesh.h"
 
-namespace hbr {
+namespace hbr::inline nao {
 
 std::vector<Mesh> nao_torso();
 std::vector<Mesh> nao_neck();
@@ -26,4 +26,4 @@ std::vector<Mesh> nao_shin();
 std::vector<Mesh> nao_ankle();
 std::vector<Mesh> nao_foot();
 
-}  // namespace hbr
+}  // namespace hbr::inline nao

@@ -2,7 +2,7 @@
 
 #include "models/onnx/graph.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 using net::Index;
@@ -155,4 +155,4 @@ std::string onnx_whole(const net::Network& network) {
   return exporter.bytes("autoencoder: image to position and decoded");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -6,11 +6,11 @@
 
 #include "models/autoencoder/network.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 // The content of an ONNX file each.
 std::string onnx_encoder(const net::Network& network);  // image -> position
 std::string onnx_decoder(const net::Network& network);  // position -> decoded
 std::string onnx_whole(const net::Network& network);    // image -> position, decoded
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -2,7 +2,7 @@
 
 #include "models/onnx/file/schema.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 using namespace onnx;
@@ -97,4 +97,4 @@ std::string OnnxGraph::bytes() const {
       .bytes();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

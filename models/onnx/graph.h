@@ -10,7 +10,7 @@
 
 #include "models/onnx/file/message.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 struct OnnxAttribute {
   std::string name;
@@ -45,4 +45,4 @@ class OnnxGraph {
   Message graph_, remarks_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -9,7 +9,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 using Sizes = std::vector<std::int64_t>;
@@ -83,4 +83,4 @@ std::vector<std::vector<int>> input_shapes(const OnnxModel& model, const std::ve
   return shapes;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

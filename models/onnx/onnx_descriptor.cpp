@@ -15,7 +15,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 // Numbers at black and at white, between which pixels 0 to 1 lie.
@@ -180,4 +180,4 @@ void OnnxDescriptor::write(Hdf5Writer& file) const {
   write_placement(file, placement_);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

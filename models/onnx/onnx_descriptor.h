@@ -10,7 +10,7 @@
 #include "models/descriptor/reconstructing_descriptor.h"
 #include "models/onnx/onnx_settings.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 class OnnxDescriptor final : public ReconstructingDescriptor {
  public:
@@ -42,4 +42,4 @@ class OnnxDescriptor final : public ReconstructingDescriptor {
   Placement placement_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

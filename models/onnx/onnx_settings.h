@@ -6,7 +6,7 @@
 
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 struct OnnxSettings {
   std::string position, reconstruction;
@@ -39,4 +39,4 @@ inline std::string fault_of(const OnnxSettings& s) {
   return "";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

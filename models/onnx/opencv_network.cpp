@@ -13,7 +13,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/process/own_process.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 // The innermost reason of OpenCV's words, each the reason of those before: "OpenCV(4.6.0) FILE:LINE: error:
@@ -151,4 +151,4 @@ Trial try_network(const OnnxModel& model, const std::vector<std::string>& tensor
                    advice(node));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -10,7 +10,7 @@
 
 #include "models/onnx/file/model.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 class OpenCvNetwork {
  public:
@@ -48,4 +48,4 @@ Trial try_network(const OnnxModel& model, const std::vector<std::string>& tensor
                   const std::vector<int>& input_shape, const std::vector<float>& image,
                   const std::string& where);
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

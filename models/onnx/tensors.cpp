@@ -13,7 +13,7 @@
 #include "pipeline/drawing/draw.h"
 #include "pipeline/qd/dimension.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 using Shapes = std::map<std::string, TensorShape>;
@@ -281,4 +281,4 @@ ChosenTensors choose_tensors(const OnnxModel& model, const Shapes& shapes, const
   return {choice.position(reconstruction), reconstruction};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -9,7 +9,7 @@
 #include "models/onnx/onnx_settings.h"
 #include "models/onnx/opencv_network.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 struct ChosenTensors {
   std::string position, reconstruction;
@@ -28,4 +28,4 @@ std::vector<std::string> tensors_to_try(const OnnxModel& model, const OnnxSettin
 ChosenTensors choose_tensors(const OnnxModel& model, const std::map<std::string, TensorShape>& shapes,
                              const OnnxSettings& settings);
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -17,7 +17,7 @@
 #include "pipeline/core/file_error.h"
 #include "pipeline/process/child.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -111,4 +111,4 @@ void keep_claim(const fs::path& out, const Process& holder) {
   ::_exit(0);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

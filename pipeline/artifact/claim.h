@@ -9,7 +9,7 @@
 
 #include "pipeline/process/identity.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // How often a sign of life is given, and how old the last may be. On its own host a process is looked at
 // instead.
@@ -27,4 +27,4 @@ std::string claim_of(const std::filesystem::path& out);
 // is ended. A hangup or interrupt signal only makes it look at once.
 [[noreturn]] void keep_claim(const std::filesystem::path& out, const Process& holder);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -16,7 +16,7 @@
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/file_error.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -230,4 +230,4 @@ void write_whole(const fs::path& path, std::string_view text) {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

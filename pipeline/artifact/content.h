@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 std::string sha256_of_text(std::string_view text);  // 64 hexadecimal digits
 
@@ -41,4 +41,4 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 // Replaces the file as a whole: a reader, or a machine that stops, finds the old or the new text.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

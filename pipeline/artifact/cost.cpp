@@ -6,7 +6,7 @@
 #include "pipeline/artifact/manifest.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -52,4 +52,4 @@ Request request_for(const std::optional<Cost>& cost, int failed_tries) {
           std::lround(std::ceil(more * (1.5 * cost->memory_bytes / 1048576 + 200)))};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -9,7 +9,7 @@
 
 #include "pipeline/artifact/graph.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 struct Cost {
   double seconds = 0;
@@ -44,4 +44,4 @@ struct Request {
 };
 Request request_for(const std::optional<Cost>& cost, int failed_tries);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

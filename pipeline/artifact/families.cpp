@@ -8,7 +8,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 struct Family {
@@ -124,4 +124,4 @@ std::string stages_as_dot(const std::vector<StageBox>& stages, const DotColours&
   return dot + arrows + "}\n";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

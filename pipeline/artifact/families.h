@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 struct StageBox {
   std::string stage, variation;  // graph.h
@@ -22,4 +22,4 @@ struct DotColours {
 // industrial_plane. An arrow that others already imply is left out; each variation has a frame.
 std::string stages_as_dot(const std::vector<StageBox>& stages, const DotColours& colours);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

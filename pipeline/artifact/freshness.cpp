@@ -7,7 +7,7 @@
 #include "pipeline/core/file_error.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -270,4 +270,4 @@ void check_graph(const Graph& graph) {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -10,7 +10,7 @@
 #include "pipeline/artifact/graph.h"
 #include "pipeline/artifact/manifest.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Where things are.
 struct Workspace {
@@ -86,4 +86,4 @@ std::string artifact_hash(const Workspace& workspace, const Node& node);
 // node.
 void check_graph(const Graph& graph);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

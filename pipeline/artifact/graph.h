@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // One run of a stage program. Its slice is {stage, name, settings, inputs, output}, and the variation where
 // it is of one (variations.h).
@@ -33,4 +33,4 @@ inline std::string target_of(const Node& node) {
 // inputs, no circle.
 using Graph = std::vector<Node>;
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -11,7 +11,7 @@
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 struct Candidate {
@@ -119,4 +119,4 @@ int launch_nodes(const Workspace& workspace, const std::vector<Node>& nodes, con
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -8,7 +8,7 @@
 
 #include "pipeline/artifact/runner.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Positions in a graph, in its order.
 using Group = std::vector<std::size_t>;
@@ -28,4 +28,4 @@ int run_nodes(const Workspace& workspace, const std::vector<Node>& nodes, const 
 int launch_nodes(const Workspace& workspace, const std::vector<Node>& nodes, const RunOptions& options,
                  const std::vector<std::string>& runner);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

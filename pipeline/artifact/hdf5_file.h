@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // An array with its shape; `values` is row-major and has as many entries as the shape says.
 template <class T>
@@ -76,4 +76,4 @@ class Hdf5Reader {
   std::unique_ptr<File> file_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 void hdf5_silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
@@ -19,4 +19,4 @@ std::string hdf5_reason() {
   return reason.empty() ? "no reason given" : reason;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 class Hdf5Handle {
  public:
@@ -59,4 +59,4 @@ void hdf5_silence();
 // The innermost reason of the last HDF5 error, on one line.
 std::string hdf5_reason();
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

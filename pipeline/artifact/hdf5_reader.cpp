@@ -4,7 +4,7 @@
 #include "pipeline/artifact/hdf5_handle.h"
 #include "pipeline/core/file_error.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 // The product of the other dimensions of an array with a dimension of 0 may be as large as that in any file.
@@ -150,4 +150,4 @@ double Hdf5Reader::number_attribute(const std::string& name) const {
   return value;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -10,7 +10,7 @@
 #include "pipeline/artifact/hdf5_handle.h"
 #include "pipeline/core/file_error.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;
@@ -185,4 +185,4 @@ void Hdf5Writer::close() {
   if (::close(std::exchange(file_->descriptor, -1)) != 0) file_->fail_by_system();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

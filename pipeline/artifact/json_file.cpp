@@ -8,7 +8,7 @@
 #include "pipeline/artifact/content.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 using nlohmann::json;
@@ -75,4 +75,4 @@ json unsealed(json table, const std::string& where) {
   return table;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -9,7 +9,7 @@
 
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // `where` leads the error: the file, or what else the text stands in. Throws InputError, one line.
 nlohmann::json parse_json(std::string_view text, const std::string& where);
@@ -27,4 +27,4 @@ nlohmann::json sealed(nlohmann::json table);
 // Takes the seal off. Throws InputError where there is none, or another table was sealed.
 nlohmann::json unsealed(nlohmann::json table, const std::string& where);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

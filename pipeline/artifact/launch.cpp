@@ -11,7 +11,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/core/memory_limit.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 std::vector<std::string> launched(const std::string& launch, const std::vector<std::string>& command) {
   if (launch.empty()) return command;
@@ -65,4 +65,4 @@ void Tries::fail(const std::string& why, bool stopped) {
   fmt::print(stderr, "{}: {}; try {} of {}\n", name_, why, done + 1, retries_ + 1);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

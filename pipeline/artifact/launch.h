@@ -9,7 +9,7 @@
 #include "pipeline/artifact/record.h"
 #include "pipeline/process/run_child.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // The shell puts in what variables the words have.
 std::vector<std::string> launched(const std::string& launch, const std::vector<std::string>& command);
@@ -44,4 +44,4 @@ class Tries {
   std::vector<std::string> failures_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

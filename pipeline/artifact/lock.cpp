@@ -14,7 +14,7 @@
 #include "pipeline/core/file_error.h"
 #include "pipeline/process/child.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 constexpr const char* kVariable = "HBR_LOCK";  // the descriptor's number, for children
@@ -58,4 +58,4 @@ void leave_lock_to_parent() {
   ::unsetenv(kVariable);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

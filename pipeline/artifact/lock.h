@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Takes the lock OUT/.plan/lock and the claim, and keeps them through exec; makes OUT where it is missing.
 // Throws InputError where the folder can't be written or another process holds one of them.
@@ -14,4 +14,4 @@ void lock_folder(const std::filesystem::path& out);
 // In a process that the holder of the lock started: lets go of it, so that it ends with its holder.
 void leave_lock_to_parent();
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -6,7 +6,7 @@
 #include "pipeline/artifact/json_file.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 nlohmann::json ingredients_json(const Ingredients& from) {
@@ -80,4 +80,4 @@ Manifest read_manifest(const std::filesystem::path& path) {
   return manifest;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -11,7 +11,7 @@
 #include "pipeline/artifact/graph.h"
 #include "pipeline/artifact/slice.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // What an artifact is made from; equal ingredients, equal artifact. Threads, times and hosts are not among
 // them.
@@ -59,4 +59,4 @@ void write_manifest(const std::filesystem::path& path, const Manifest& manifest)
 // artifact.
 Manifest read_manifest(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

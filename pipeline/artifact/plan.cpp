@@ -9,7 +9,7 @@
 #include "pipeline/artifact/group.h"
 #include "pipeline/artifact/slice.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -62,4 +62,4 @@ std::size_t write_plan(const fs::path& out, const Graph& graph, const std::vecto
   return groups.size();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

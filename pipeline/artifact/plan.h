@@ -6,7 +6,7 @@
 
 #include "pipeline/artifact/freshness.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 std::filesystem::path plan_path(const std::filesystem::path& out);
 
@@ -15,4 +15,4 @@ std::filesystem::path plan_path(const std::filesystem::path& out);
 std::size_t write_plan(const std::filesystem::path& out, const Graph& graph,
                        const std::vector<Freshness>& freshness, int threads, double group_seconds);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

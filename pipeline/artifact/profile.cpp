@@ -11,7 +11,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 using Positions = std::map<std::string, SettingsSource::Position>;
@@ -150,4 +150,4 @@ SettingsSource read_inheriting(const std::filesystem::path& file) {
   return inherited(file, heirs);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -5,7 +5,7 @@
 
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Throws InputError, "file:line:column: ...", where the file is missing or not TOML (a duplicate key
 // included).
@@ -30,4 +30,4 @@ S read_profile(const std::filesystem::path& file) {
   return settings_from_source<S>(read_toml(file));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -11,7 +11,7 @@
 #include "pipeline/core/file_error.h"
 #include "pipeline/core/memory_limit.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -51,4 +51,4 @@ int guarded_main(const std::string& name, const std::function<int()>& body) {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // A stage that did not do its work, though it was given the right things.
 class StageFailure : public std::runtime_error {
@@ -19,4 +19,4 @@ class StageFailure : public std::runtime_error {
 // error to be read, not a signal to die from.
 int guarded_main(const std::string& name, const std::function<int()>& body);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 using std::chrono::duration;
@@ -69,4 +69,4 @@ void Progress::show(std::int64_t done, std::int64_t total, const char* unit) {
   open_ = changing_;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

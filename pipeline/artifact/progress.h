@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 class Progress {
  public:
@@ -38,4 +38,4 @@ std::string duration_text(double seconds);
 std::string progress_text(const std::string& name, std::int64_t done, std::int64_t total, const char* unit,
                           double rate);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

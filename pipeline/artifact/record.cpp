@@ -11,7 +11,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/process/identity.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 double seconds(const timeval& time) {
@@ -46,4 +46,4 @@ std::optional<RunRecord> read_record(const std::filesystem::path& path) {
   return read_json_as<RunRecord>(path);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

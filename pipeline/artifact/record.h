@@ -13,7 +13,7 @@
 
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 struct RunRecord {
   int exit_code = 0;
@@ -51,4 +51,4 @@ void write_record(const std::filesystem::path& path, const RunRecord& record);
 // Nothing where there is none; throws InputError where it is not as write_record left it.
 std::optional<RunRecord> read_record(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

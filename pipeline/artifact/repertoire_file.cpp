@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 std::size_t count(Eigen::Index n) { return static_cast<std::size_t>(n); }
@@ -141,4 +141,4 @@ std::vector<ProgressRow> read_progress(const std::filesystem::path& path) {
   return rows;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

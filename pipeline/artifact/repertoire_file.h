@@ -8,7 +8,7 @@
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Writes the arrays of a repertoire and of its search into an open file.
 void write_elites(Hdf5Writer& file, const Elites& elites, const std::vector<ProgressRow>& progress);
@@ -18,4 +18,4 @@ void write_elites(Hdf5Writer& file, const Elites& elites, const std::vector<Prog
 Elites read_elites(const std::filesystem::path& path);
 std::vector<ProgressRow> read_progress(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -6,7 +6,7 @@
 #include "pipeline/artifact/stage.h"
 #include "pipeline/core/random.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 inline constexpr double kMaxReplications = 999;
 
@@ -30,4 +30,4 @@ inline Seed seed_of(const StageRun& stage, const RunTable& s) {
   return Seed(s.seed).child(stage.stage()).child(s.replication);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

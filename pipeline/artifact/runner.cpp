@@ -12,7 +12,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/process/run_child.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -184,4 +184,4 @@ void remove_temporaries(const Workspace& workspace, const Graph& graph) {
     if (fs::is_directory(folder)) remove_abandoned(folder);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -10,7 +10,7 @@
 #include "pipeline/artifact/slice.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // What a runner that was launched itself is told by the one that launched it.
 struct Handover {
@@ -59,4 +59,4 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
 // Removes what killed runs left in the folders of the graph.
 void remove_temporaries(const Workspace& workspace, const Graph& graph);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -8,7 +8,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 // In the graph's order, each once.
@@ -129,4 +129,4 @@ std::string graph_as_dot(const Graph& graph) {
   return stages_as_dot(stages, {"#808080", "#22262b", "#f4f4f0"});
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -6,7 +6,7 @@
 
 #include "pipeline/artifact/graph.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // The nodes of the goals and all they are made from, as a graph. A goal is a stage ("layer3_n10"), a family
 // of stages ("layer3": all layer3_*, where no stage has the name itself), either one of a variation
@@ -18,4 +18,4 @@ Graph selected(const Graph& graph, const std::vector<std::string>& goals, int re
 // The graph as Graphviz text (families.h): replications are counted.
 std::string graph_as_dot(const Graph& graph);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

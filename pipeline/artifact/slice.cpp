@@ -5,7 +5,7 @@
 #include "pipeline/artifact/manifest.h"
 #include "pipeline/artifact/temporary.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 // What the runner knows of a node that its stage is not told.
@@ -69,4 +69,4 @@ Node read_slice(const std::filesystem::path& file) {
           more.sources, slice.variation};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -9,7 +9,7 @@
 #include "pipeline/artifact/graph.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 struct Slice {
   std::string stage, name;
@@ -39,4 +39,4 @@ void write_slice(const std::filesystem::path& out, const Node& node);
 // Throws InputError where the file is not as write_slice left it.
 Node read_slice(const std::filesystem::path& file);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

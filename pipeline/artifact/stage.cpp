@@ -11,7 +11,7 @@
 #include "pipeline/artifact/threads.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 // A list of numbers or of texts as such, any other as JSON.
@@ -123,4 +123,4 @@ int stage_main(int argc, char** argv, const char* summary, const std::function<v
   return code != 0 ? code : told;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -25,7 +25,7 @@
 #include "pipeline/artifact/slice.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 class Progress;
 
@@ -73,4 +73,4 @@ class StageRun {
 
 int stage_main(int argc, char** argv, const char* summary, const std::function<void(StageRun&)>& run);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 struct Row {
@@ -93,4 +93,4 @@ Audit audit(const Workspace& workspace, const Graph& graph) {
   return found;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

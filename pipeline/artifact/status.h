@@ -6,7 +6,7 @@
 
 #include "pipeline/artifact/freshness.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // A row for each stage: how many artifacts are fresh, stale and missing, and why.
 std::string status_table(const Graph& graph, const std::vector<Freshness>& freshness);
@@ -19,4 +19,4 @@ struct Audit {
 // Reads every artifact again, whatever signs and time stamps say.
 Audit audit(const Workspace& workspace, const Graph& graph);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

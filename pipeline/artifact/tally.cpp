@@ -10,7 +10,7 @@
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/temporary.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -63,4 +63,4 @@ std::string count_made(const fs::path& out, const std::string& stage, double sec
   return fmt::format("{}, about {} left", count, duration_text((now - start) * left / all.seconds));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

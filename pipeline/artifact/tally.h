@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Begins the list with what is to be run, a name for each run, at this time (seconds after 1970).
 void start_tally(const std::filesystem::path& out, const std::vector<std::string>& stages, double now);
@@ -17,4 +17,4 @@ void start_tally(const std::filesystem::path& out, const std::vector<std::string
 std::string count_made(const std::filesystem::path& out, const std::string& stage, double seconds,
                        double now);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

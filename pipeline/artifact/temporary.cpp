@@ -6,7 +6,7 @@
 
 #include "pipeline/process/identity.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -44,4 +44,4 @@ void remove_abandoned(const fs::path& folder) {
       fs::remove_all(entry.path());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // FOLDER/.tmp-1234.56789@HOST@NAME, by this process. `mark` tells several for one path apart. The name of the
 // path stands last, so that it keeps its ending.
@@ -29,4 +29,4 @@ constexpr std::chrono::hours kAbandonedAfter{1};
 // here: theirs go when nothing was written to them for kAbandonedAfter.
 void remove_abandoned(const std::filesystem::path& folder);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

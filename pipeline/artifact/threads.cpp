@@ -14,7 +14,7 @@
 
 #include "pipeline/process/identity.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -99,4 +99,4 @@ int threads_of_stage(int asked) {
   return jobs == 0 ? 1 : std::max(1, processors() / jobs);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // The processors that this process may use: its affinity, the quota of its control group (version 1 or 2),
 // and what Slurm gave the job. `root` is where /proc and /sys are.
@@ -20,4 +20,4 @@ std::string this_place();
 // make is not at another place (the environment's HBR_PLACE).
 int threads_of_stage(int asked);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -13,7 +13,7 @@
 #include "pipeline/artifact/tool_commands.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 namespace {
 
@@ -150,4 +150,4 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
   });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -6,11 +6,11 @@
 
 #include "pipeline/artifact/graph.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // `experiment` reads a profile and cuts it into the stage graph; it throws InputError where the profile is
 // wrong.
 int tool_main(int argc, char** argv,
               const std::function<Graph(const std::filesystem::path& profile)>& experiment);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

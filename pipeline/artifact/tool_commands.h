@@ -8,7 +8,7 @@
 #include "pipeline/artifact/graph.h"
 #include "pipeline/artifact/runner.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 struct ToolArguments {
   std::filesystem::path profile;
@@ -37,4 +37,4 @@ int make_artifacts(ToolArguments& arguments, const Graph& graph, const Graph& al
 // Runs the stages that one launch was given, here or through the words of LAUNCH; the exit code.
 int run_artifacts(ToolArguments& arguments);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -14,7 +14,7 @@
 #include "pipeline/core/file_error.h"
 #include "pipeline/process/child.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 
 std::size_t count_stale(const std::vector<Freshness>& freshness) {
@@ -102,4 +102,4 @@ int make_artifacts(ToolArguments& arguments, const Graph& graph, const Graph& al
   become({arguments.make, "--no-print-directory", "-f", plan_path(arguments.workspace.out).string(), "all"});
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

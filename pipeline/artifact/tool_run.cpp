@@ -10,7 +10,7 @@
 #include "pipeline/core/settings.h"
 #include "pipeline/process/child.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace fs = std::filesystem;
 
 int run_artifacts(ToolArguments& arguments) {
@@ -57,4 +57,4 @@ int run_artifacts(ToolArguments& arguments) {
   return launch_nodes(arguments.workspace, nodes, arguments.run, runner);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -4,7 +4,7 @@
 #include <gnu/libc-version.h>
 #include <hdf5.h>
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 // The levels of the x86-64 psABI.
@@ -58,4 +58,4 @@ nlohmann::json toolchain() {
       {"libraries", fmt::format("glibc {}, HDF5 {}.{}.{}", gnu_get_libc_version(), major, minor, release)}};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Of this build and this machine, all texts:
 //   compiler      "GCC 12.2.0", "Clang 14.0.6"
@@ -14,4 +14,4 @@ namespace hbr {
 // Same inputs, programs and toolchain: same bytes.
 nlohmann::json toolchain();
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -3,7 +3,7 @@
 #include "pipeline/artifact/hdf5_handle.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 constexpr hssize_t kMostColumns = 1 << 16;
@@ -106,4 +106,4 @@ void write_value_meaning(Hdf5Writer& file, const std::string& array, const Value
   file.attribute("units", value.units, array);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -7,7 +7,7 @@
 
 #include "pipeline/artifact/hdf5_file.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Of `solution` and `measures`: a value stored as `low` in column c stands for from[c], one stored as `high`
 // for to[c], in units[c], linear in between.
@@ -27,4 +27,4 @@ struct ValueMeaning {
 ValueMeaning read_value_meaning(const std::filesystem::path& path, const std::string& array);
 void write_value_meaning(Hdf5Writer& file, const std::string& array, const ValueMeaning& value);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

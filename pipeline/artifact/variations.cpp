@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 // What a run's artifact is a function of, apart from where it stands.
@@ -35,4 +35,4 @@ Graph add_variation(Graph& graph, const std::string& name, Graph varied) {
   return varied;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -6,7 +6,7 @@
 
 #include "pipeline/artifact/graph.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 
 // Appends to `graph` what of `varied` it has not: a node whose program, stage, replication, settings, sources
 // and (found so themselves) inputs are another's is that one. What is appended keeps the name of its stage,
@@ -14,4 +14,4 @@ namespace hbr {
 // outputs and inputs that they have in `graph`.
 Graph add_variation(Graph& graph, const std::string& name, Graph varied);
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -6,7 +6,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/process/output.h"
 
-namespace hbr {
+namespace hbr::inline artifact {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,4 +40,4 @@ std::string version_of(const fs::path& repository) {
   return told.empty() ? "unknown" : told;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline artifact

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace hbr {
+namespace hbr::inline core {
 
 class InputError : public std::runtime_error {
  public:
@@ -25,7 +25,7 @@ namespace detail {
 [[noreturn]] void check_failed(const char* file, int line, const char* condition, const std::string& values);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline core
 
 // HBR_CHECK(i < n, "i = {}, n = {}", i, n)
 #define HBR_CHECK(condition, ...)                                                              \

@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace hbr {
+namespace hbr::inline core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ InputError file_error(const fs::filesystem_error& error) {
   return file_error(path, "can't use this file or folder", error.code().value());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline core

@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline core {
 
 // "PATH: can't write: No space left on device; make room or give another OUT". `error` is an errno of the
 // path.
@@ -14,4 +14,4 @@ InputError file_error(const std::filesystem::path& path, const char* what, int e
 // The same of what std::filesystem threw.
 InputError file_error(const std::filesystem::filesystem_error& error);
 
-}  // namespace hbr
+}  // namespace hbr::inline core

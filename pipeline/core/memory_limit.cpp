@@ -8,7 +8,7 @@
 #include <fstream>
 #include <utility>
 
-namespace hbr {
+namespace hbr::inline core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ std::string memory_limit(const fs::path& root) {
   return fmt::format("{:.1f} GB ({})", 1e-9 * limit.first, limit.second);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline core

@@ -12,7 +12,7 @@
 #include <sanitizer/tsan_interface.h>
 #endif
 
-namespace hbr {
+namespace hbr::inline core {
 namespace detail {
 
 // TBB orders the ends of a loop: what is before it comes before every body, and they before what follows. The
@@ -76,4 +76,4 @@ class Workers {
   tbb::task_arena arena_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline core

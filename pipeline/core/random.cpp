@@ -2,7 +2,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline core {
 namespace {
 
 using Philox = r123::Philox4x32;
@@ -62,4 +62,4 @@ std::uint32_t Rng::below(std::uint32_t n) {
   return static_cast<std::uint32_t>(product >> 32);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline core

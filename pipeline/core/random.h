@@ -15,7 +15,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline core {
 
 class Seed {
  public:
@@ -54,4 +54,4 @@ class Rng {
   std::size_t used_ = 4;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline core

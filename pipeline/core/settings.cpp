@@ -8,7 +8,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline core {
 namespace {
 
 std::string dotted(const std::string& pointer) {
@@ -243,4 +243,4 @@ void SettingsReader::raw_table(const char* key, nlohmann::json& value, const cha
   if (const nlohmann::json* found = find_table(key, meaning)) value = *found;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline core

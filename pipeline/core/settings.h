@@ -31,7 +31,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline core {
 
 struct Range {
   double low;   // inclusive
@@ -208,4 +208,4 @@ nlohmann::json settings_to_json(S settings) {
 // The candidate nearest to `word` by edit distance, as " (did you mean 'x'?)"; empty where none is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
-}  // namespace hbr
+}  // namespace hbr::inline core

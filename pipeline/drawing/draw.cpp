@@ -6,7 +6,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline drawing {
 namespace {
 
 constexpr double kBoxPixels = 20;      // side of the box that MNIST's digits fill
@@ -233,4 +233,4 @@ void image_to_bytes(const float* image, std::uint8_t* bytes) {
     bytes[i] = static_cast<std::uint8_t>(std::lround(std::clamp(image[i], 0.0f, 1.0f) * 255.0f));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline drawing

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline drawing {
 
 inline constexpr int kImageSide = 28;  // pixels
 inline constexpr int kImagePixels = kImageSide * kImageSide;
@@ -36,4 +36,4 @@ void draw(const float* pen_xy, Eigen::Index points, double pen_width_px, Framing
 // The image in steps of 1/255, rounded, as artifacts keep it.
 void image_to_bytes(const float* image, std::uint8_t* bytes);
 
-}  // namespace hbr
+}  // namespace hbr::inline drawing

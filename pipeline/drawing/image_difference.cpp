@@ -4,7 +4,7 @@
 
 #include "pipeline/drawing/draw.h"
 
-namespace hbr {
+namespace hbr::inline drawing {
 
 ImageDifference image_difference(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return {(a - b).cwiseAbs().mean(), (a - b).squaredNorm() / static_cast<float>(kImagePixels)};
@@ -16,4 +16,4 @@ float image_difference(const std::uint8_t* a, const std::uint8_t* b) {
   return static_cast<float>(sum) / (255.0f * kImagePixels);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline drawing

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace hbr {
+namespace hbr::inline drawing {
 
 struct ImageDifference {
   float absolute, squared;  // means per pixel
@@ -16,4 +16,4 @@ ImageDifference image_difference(const Eigen::VectorXf& a, const Eigen::VectorXf
 // Mean absolute difference per pixel of images in steps of 1/255, of ink from 0 to 1.
 float image_difference(const std::uint8_t* a, const std::uint8_t* b);
 
-}  // namespace hbr
+}  // namespace hbr::inline drawing

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // A gene, or a coordinate of a descriptor: what it is at the ends of the range in which it is stored; between
 // them it is linear.
@@ -31,4 +31,4 @@ inline void append(Coordinates& all, const std::string& lead, const Coordinates&
   for (const Coordinate& c : more) all.push_back({lead + c.name, c.unit, c.low, c.high});
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // The pen is put down there before the first command.
 struct PenPlacement {
@@ -37,4 +37,4 @@ class Decoder {
   }
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 class Descriptor {
  public:
@@ -21,4 +21,4 @@ class Descriptor {
   Eigen::Index dimension() const { return lower().size(); }
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

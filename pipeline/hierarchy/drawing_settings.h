@@ -7,7 +7,7 @@
 #include "pipeline/drawing/draw.h"
 #include "pipeline/hierarchy/coordinate.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 template <class Fields>
 void describe_half_side(Fields& f, double& half_side) {
@@ -43,4 +43,4 @@ void describe(Fields& f, PencilSettings& s) {
   f.number("thickest_px", s.thickest_px, Range{0.5, 14}, "pen width of gene 1, pixels");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

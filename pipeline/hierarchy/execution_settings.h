@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/executor.h"
 #include "pipeline/hierarchy/layer_evaluator.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct StartSettings {
   std::string starts = {}, start_draws = {};
@@ -44,4 +44,4 @@ inline SampleFitness sample_fitness_of(const std::string& name) {
   return name == "median" ? SampleFitness::kMedian : SampleFitness::kNearest;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

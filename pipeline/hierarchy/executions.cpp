@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 void Executions::begin(const PointLayer& points, int n, Way way) {
   points_ = &points;
@@ -134,4 +134,4 @@ void Executions::put_down(int execution, const Eigen::Vector2d& place, float wid
   way_[execution].push_back(elite);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -7,7 +7,7 @@
 
 #include "pipeline/hierarchy/point_layer.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Where on an execution's way the pen was put down, and how wide it is: a gene in [0, 1].
 struct PenDown {
@@ -88,4 +88,4 @@ class Executions {
   std::vector<std::vector<PenDown>> pen_down_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -3,7 +3,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/joints.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 Executor::Executor(const PointLayer& points, const Layer& below, const Decoder& decoder, int repeats, Way way,
                    Starts starts)
@@ -70,4 +70,4 @@ void Executor::execute(const Rows& genomes, const std::int32_t* lengths, Eigen::
   plans.perform(executions, all, which.data(), repeats_);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -5,7 +5,7 @@
 #include "pipeline/hierarchy/executions.h"
 #include "pipeline/hierarchy/plans.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Where executions begin that go on from wherever the pen is: at elites of layer 1 drawn uniformly, or at
 // those nearest to where joint angles drawn uniformly bring the pen. They are drawn anew for every genome, or
@@ -50,4 +50,4 @@ class Executor {
   Starts starts_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Which displacements a line may ask for: those of at most rho, or also the corners of the square around
 // them.
@@ -40,4 +40,4 @@ inline Eigen::Vector2d at_most(const Eigen::Vector2d& v, double most) {
   return length > most ? Eigen::Vector2d(v * (most / length)) : v;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

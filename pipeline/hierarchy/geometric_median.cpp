@@ -7,7 +7,7 @@
 #include <cstring>
 #include <limits>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 template <int D>
@@ -261,4 +261,4 @@ template Median<2> geometric_median<2>(const Samples<2>&);
 template Median<3> geometric_median<3>(const Samples<3>&);
 template Median<4> geometric_median<4>(const Samples<4>&);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

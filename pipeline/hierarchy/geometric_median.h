@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // n points in D dimensions, a coordinate after the other, each filled up to whole groups of lanes. Sums run
 // over the lanes first and over a group's lanes last, whatever the width of the machine's vectors: the same
@@ -47,4 +47,4 @@ struct Median {
 template <int D>
 Median<D> geometric_median(const Samples<D>& samples);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

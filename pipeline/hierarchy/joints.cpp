@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 void decode_joints(const Robot& robot, const float* genome, double* joints) {
   const Eigen::VectorXd &lower = robot.lower(), &upper = robot.upper();
@@ -51,4 +51,4 @@ std::span<const JointCost> joint_costs() {
   return kCosts;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

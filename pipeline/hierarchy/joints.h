@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/coordinate.h"
 #include "pipeline/hierarchy/robot.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Joints [dof] of a genome [dof] in [0, 1]: the range of the limits.
 void decode_joints(const Robot& robot, const float* genome, double* joints);
@@ -29,4 +29,4 @@ struct JointCost {
 };
 std::span<const JointCost> joint_costs();
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

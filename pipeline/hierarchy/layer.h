@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 class Executions;
 // Some executions of a batch, by their indices in ascending order.
@@ -30,4 +30,4 @@ class Layer {
                        int repeat = 1) const = 0;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

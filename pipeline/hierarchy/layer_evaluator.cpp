@@ -5,7 +5,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/geometric_median.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 SingleEvaluator::SingleEvaluator(const Executor& executor, const Outcome& outcome)
     : executor_(executor), outcome_(outcome) {
@@ -119,4 +119,4 @@ void SampledEvaluator::mean_fitness(const Rows& genomes, Eigen::Index begin, Eig
   });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -10,7 +10,7 @@
 #include "pipeline/hierarchy/outcome.h"
 #include "pipeline/qd/evaluator.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // A single execution of a genome is its outcome.
 class SingleEvaluator final : public Evaluator {
@@ -78,4 +78,4 @@ class SampledEvaluator final : public Evaluator {
   SampleFitness fitness_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -7,7 +7,7 @@
 #include "pipeline/core/settings.h"
 #include "pipeline/hierarchy/layer_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct LayerKind {
   const char* name;     // in profiles
@@ -48,4 +48,4 @@ constexpr LayerKind layer_kind(const char* name, const char* meaning, const char
       }};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -10,7 +10,7 @@
 #include "pipeline/hierarchy/layer_evaluator.h"
 #include "pipeline/hierarchy/robot.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 class Stack;
 
@@ -67,4 +67,4 @@ class LayerModel {
   virtual void draw(const float* /*genome*/, int /*length*/, float* /*images*/) const {}
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

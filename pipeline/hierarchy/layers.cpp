@@ -9,7 +9,7 @@
 #include "pipeline/hierarchy/layers/points.h"
 #include "pipeline/qd/named.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 constexpr bool kLearned = true, kByHand = false;
@@ -39,4 +39,4 @@ std::span<const LayerKind> layer_kinds() { return kKinds; }
 
 const LayerKind& layer_kind(const std::string& name) { return named(kKinds, name, "kind of layer"); }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -3,10 +3,10 @@
 
 #include "pipeline/hierarchy/layer_kind.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 std::span<const LayerKind> layer_kinds();
 // Throws InputError for another name.
 const LayerKind& layer_kind(const std::string& name);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

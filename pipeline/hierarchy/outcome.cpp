@@ -1,6 +1,6 @@
 #include "pipeline/hierarchy/outcome.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 void SampledOutcome::measure(const Executions& executions, float* descriptor, float* fitness) const {
   std::vector<float*> coordinates(descriptor_size());
@@ -11,4 +11,4 @@ void SampledOutcome::measure(const Executions& executions, float* descriptor, fl
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -3,7 +3,7 @@
 
 #include "pipeline/hierarchy/executions.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 class Outcome {
  public:
@@ -29,4 +29,4 @@ class SampledOutcome : public Outcome {
   void measure(const Executions& executions, float* descriptor, float* fitness) const final;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

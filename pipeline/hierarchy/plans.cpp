@@ -5,7 +5,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/executions.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 void Plans::make(const Decoder& decoder, const PointLayer& points, const Layer& below, const Rows& genomes,
                  const std::int32_t* lengths, Eigen::Index first, int n) {
@@ -97,4 +97,4 @@ void Plans::command(Executions& executions, Group group, const std::int32_t* whi
   for (std::size_t i = 0; i < group.size(); ++i) executions.set_origin(group[i], origins[i]);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -9,7 +9,7 @@
 #include "pipeline/hierarchy/point_layer.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 class Plans {
  public:
@@ -42,4 +42,4 @@ class Plans {
   std::vector<float> coordinates_;          // the same, a coordinate after the other
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -3,7 +3,7 @@
 #include "pipeline/hierarchy/executions.h"
 #include "pipeline/hierarchy/joints.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 // How far displacements lead out of the drawing area at most where look-ups are to be fast, descriptor units.
 constexpr float kBeyond = 0.25f;
@@ -31,4 +31,4 @@ void PointLayer::perform(Executions& executions, Group group, const std::int32_t
   executions.move(group, all.data());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

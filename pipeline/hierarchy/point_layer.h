@@ -8,7 +8,7 @@
 #include "pipeline/hierarchy/robot.h"
 #include "pipeline/qd/nearest_table.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 class PointLayer final : public Layer {
  public:
@@ -49,4 +49,4 @@ class PointLayer final : public Layer {
   Eigen::VectorXd mean_, variance_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

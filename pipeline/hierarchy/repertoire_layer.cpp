@@ -5,7 +5,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/qd/nearest_table.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 template <int D>
@@ -74,4 +74,4 @@ void RepertoireLayer::nearest(int n, const float* const* commands, std::int32_t*
   table_->nearest(n, commands, elites);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

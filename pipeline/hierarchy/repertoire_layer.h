@@ -7,7 +7,7 @@
 
 #include "pipeline/hierarchy/plans.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Nearest rows for commands of any dimension.
 class CommandTable {
@@ -44,4 +44,4 @@ class RepertoireLayer final : public Layer {
   mutable std::unique_ptr<CommandTable> table_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

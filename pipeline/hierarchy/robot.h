@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Where the pen is, in the drawing frame: the planar arm's workspace, centred at its base, in metres. A robot
 // that draws on a plane of its own space maps that plane onto the frame by a similarity.
@@ -31,4 +31,4 @@ class Robot {
   Eigen::Index dof() const { return lower().size(); }
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -2,7 +2,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 void Stack::add(std::unique_ptr<LayerModel> model, const Elites& elites) {
   std::unique_ptr<Layer> layer = model->finished(elites);
@@ -16,4 +16,4 @@ const PointLayer& Stack::points() const {
   return *points;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -5,7 +5,7 @@
 
 #include "pipeline/hierarchy/layer_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 class Stack {
  public:
@@ -29,4 +29,4 @@ class Stack {
   std::vector<Level> levels_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

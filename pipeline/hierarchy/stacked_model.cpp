@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/repertoire_layer.h"
 #include "pipeline/hierarchy/stack.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 class StackedModel final : public LayerModel {
@@ -67,4 +67,4 @@ std::unique_ptr<LayerModel> stacked_model(const Surroundings& around, StackedPar
   return std::make_unique<StackedModel>(*around.below, std::move(parts));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -5,7 +5,7 @@
 
 #include "pipeline/hierarchy/layer_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct StackedParts {
   GenomeShape genome;
@@ -29,4 +29,4 @@ struct StackedParts {
 
 std::unique_ptr<LayerModel> stacked_model(const Surroundings& around, StackedParts parts);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -1,6 +1,6 @@
 #include "pipeline/hierarchy/trace.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 Executions executed(const Executor& executor, const float* genome, int length) {
@@ -32,4 +32,4 @@ std::vector<std::int32_t> way_of(const Executor& executor, const float* genome, 
   return executed(executor, genome, length).way(0);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

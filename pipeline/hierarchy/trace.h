@@ -5,7 +5,7 @@
 
 #include "pipeline/hierarchy/executor.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // The pen's positions [n x 2] in metres, x and y in turn, and the configurations that led through them, [n x
 // dof] in radians.
@@ -21,4 +21,4 @@ Trace trace_of(const Executor& executor, const float* genome, int length);
 // The elites of layer 1 that it passes.
 std::vector<std::int32_t> way_of(const Executor& executor, const float* genome, int length);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

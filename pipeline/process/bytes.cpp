@@ -4,7 +4,7 @@
 
 #include <cerrno>
 
-namespace hbr {
+namespace hbr::inline process {
 
 bool write_all(int file, const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
@@ -27,4 +27,4 @@ std::string read_all(int file) {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline process

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace hbr {
+namespace hbr::inline process {
 
 // Whether all of it was written; errno says why not.
 bool write_all(int file, const std::string& text);
@@ -11,4 +11,4 @@ bool write_all(int file, const std::string& text);
 // Up to the end.
 std::string read_all(int file);
 
-}  // namespace hbr
+}  // namespace hbr::inline process

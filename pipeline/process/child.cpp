@@ -12,7 +12,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline process {
 namespace {
 
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
@@ -93,4 +93,4 @@ void end_with_parent(int parent) {
   if (::getppid() != parent) ::_exit(1);  // it ended before the line above
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline process

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline process {
 
 // How a process ended.
 struct Ending {
@@ -43,4 +43,4 @@ void signal_at_end_of_parent(int signal);
 // Ends this process when its parent ends, and at once where the parent is no longer `parent`.
 void end_with_parent(int parent);
 
-}  // namespace hbr
+}  // namespace hbr::inline process

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace hbr {
+namespace hbr::inline process {
 namespace {
 
 // By /proc: 0 where it has ended or is about to.
@@ -74,4 +74,4 @@ std::optional<Process> process_of(std::string_view text) {
   return process;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline process

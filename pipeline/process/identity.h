@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline process {
 
 std::string this_host();
 
@@ -27,4 +27,4 @@ void ask_to_end(const Process& process);
 std::string text_of(const Process& process);
 std::optional<Process> process_of(std::string_view text);
 
-}  // namespace hbr
+}  // namespace hbr::inline process

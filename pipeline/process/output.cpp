@@ -9,7 +9,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/process/bytes.h"
 
-namespace hbr {
+namespace hbr::inline process {
 namespace {
 
 // A file in memory rather than a pipe: no program can block on a full pipe that nobody reads.
@@ -46,4 +46,4 @@ Output output_of(const Program& program, const std::string& input) {
   return {ending, out.content(), errors.content()};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline process

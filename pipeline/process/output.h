@@ -3,7 +3,7 @@
 
 #include "pipeline/process/child.h"
 
-namespace hbr {
+namespace hbr::inline process {
 
 struct Output {
   Ending ending;
@@ -13,4 +13,4 @@ struct Output {
 // Runs the program to its end on that standard input. Throws InputError where it can't be started.
 Output output_of(const Program& program, const std::string& input = "");
 
-}  // namespace hbr
+}  // namespace hbr::inline process

@@ -14,7 +14,7 @@
 #include "pipeline/process/bytes.h"
 #include "pipeline/process/child.h"
 
-namespace hbr {
+namespace hbr::inline process {
 namespace {
 
 // The first byte of what the child says.
@@ -78,4 +78,4 @@ std::string OwnProcess::run(const std::string& what, const std::function<std::st
                    ending.signal ? fmt::format(" ({})", ::strsignal(ending.signal)) : "");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline process

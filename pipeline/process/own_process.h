@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline process {
 
 struct OwnProcess {
   std::size_t memory_bytes;  // that the work may take beside what this process has
@@ -17,4 +17,4 @@ struct OwnProcess {
   std::string run(const std::string& what, const std::function<std::string()>& work) const;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline process

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <csignal>
 
-namespace hbr {
+namespace hbr::inline process {
 namespace {
 
 volatile std::sig_atomic_t child_to_signal = 0, stopped = 0;
@@ -47,4 +47,4 @@ ChildResult run_child(const std::vector<std::string>& command) {
           std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count()};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline process

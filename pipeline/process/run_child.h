@@ -3,7 +3,7 @@
 
 #include "pipeline/process/child.h"
 
-namespace hbr {
+namespace hbr::inline process {
 
 struct ChildResult : Ending {
   bool stopped = false;  // this process was asked to end meanwhile, or before
@@ -14,4 +14,4 @@ struct ChildResult : Ending {
 // where one came before, it is not run at all. Throws InputError where it can't be started.
 ChildResult run_child(const std::vector<std::string>& command);
 
-}  // namespace hbr
+}  // namespace hbr::inline process

@@ -2,7 +2,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 Added CellArchive::add(const Candidate& c) {
   Slot& slot = slot_of_cell_[cell_of(c.descriptor)];
@@ -17,4 +17,4 @@ void CellArchive::restore(const Elites& elites) {
   for (Eigen::Index i = 0; i < elites.size(); ++i) add(candidate_of(elites, i));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -6,7 +6,7 @@
 
 #include "pipeline/qd/repertoire.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 class CellArchive : public Repertoire {
  public:
@@ -24,4 +24,4 @@ class CellArchive : public Repertoire {
   std::vector<Slot> slot_of_cell_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -5,7 +5,7 @@
 #include "pipeline/qd/grid_archive.h"
 #include "pipeline/qd/named.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 
 template <Contest contest>
@@ -37,4 +37,4 @@ constexpr ContainerKind kContainers[] = {
 std::span<const ContainerKind> container_kinds() { return kContainers; }
 const ContainerKind& container_kind(const std::string& name) { return named(kContainers, name, "container"); }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -8,7 +8,7 @@
 #include "pipeline/core/random.h"
 #include "pipeline/qd/repertoire.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // Each container takes what it needs.
 struct ContainerSettings {
@@ -37,4 +37,4 @@ std::span<const ContainerKind> container_kinds();
 // Throws InputError for another name.
 const ContainerKind& container_kind(const std::string& name);
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -8,7 +8,7 @@
 #include "pipeline/qd/dimension.h"
 #include "pipeline/qd/neighbour_grid.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 
 constexpr int kSamplesPerCell = 25;
@@ -95,4 +95,4 @@ std::unique_ptr<Repertoire> make_cvt_archive(int genes, const Rows& centroids, f
   });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -7,7 +7,7 @@
 #include "pipeline/core/random.h"
 #include "pipeline/qd/repertoire.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // The centres of the cells [cells x descriptor_size]: k-means over 25 uniform samples a cell of the box
 // [low, high]^d, a function of the seed alone. descriptor_size: 1 to 8.
@@ -17,4 +17,4 @@ Rows cvt_centroids(int cells, int descriptor_size, float low, float high, Seed s
 // high]^d is the box they fill; descriptors outside it are welcome.
 std::unique_ptr<Repertoire> make_cvt_archive(int genes, const Rows& centroids, float low, float high);
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

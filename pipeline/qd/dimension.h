@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 inline constexpr int kMaxDescriptorSize = 8;
 
@@ -19,4 +19,4 @@ auto with_dimension(int size, Make&& make) {
   return make(std::integral_constant<int, D>());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

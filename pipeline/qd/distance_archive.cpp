@@ -7,7 +7,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/qd/neighbour_grid.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 
 template <int D>
@@ -114,4 +114,4 @@ std::unique_ptr<Repertoire> make_distance_archive(int genes, int descriptor_size
   return make<1>(genes, descriptor_size, s);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

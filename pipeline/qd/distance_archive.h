@@ -8,7 +8,7 @@
 
 #include "pipeline/qd/repertoire.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // What a candidate near an elite must do to replace it.
 enum class Contest { kDominance, kFitness };
@@ -26,4 +26,4 @@ struct DistanceArchiveSettings {
 std::unique_ptr<Repertoire> make_distance_archive(int genes, int descriptor_size,
                                                   const DistanceArchiveSettings& settings);
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

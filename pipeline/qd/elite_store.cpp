@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 Slot EliteStore::append(const Candidate& candidate) {
   const Slot slot = size();
@@ -54,4 +54,4 @@ Elites EliteStore::in_id_order() const {
   return in_order(in_slot_order(), order);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -6,7 +6,7 @@
 
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 using Slot = std::int32_t;
 inline constexpr Slot kNoSlot = -1;
@@ -54,4 +54,4 @@ class EliteStore {
   std::vector<std::int64_t> id_, parent_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -1,6 +1,6 @@
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 
 template <class T>
@@ -26,4 +26,4 @@ Elites in_order(const Elites& e, const std::vector<std::int32_t>& order) {
   return out;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // One row per elite, row-major like the arrays in a file.
 using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -38,4 +38,4 @@ struct ProgressRow {
   std::int64_t evaluations;  // so far
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

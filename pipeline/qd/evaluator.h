@@ -7,7 +7,7 @@
 #include "pipeline/core/random.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // A generation of genomes and what their evaluation found, one row each.
 struct Batch {
@@ -41,4 +41,4 @@ class Evaluator {
   virtual void evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const = 0;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

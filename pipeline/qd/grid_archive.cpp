@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 std::size_t GridCells::size() const {
   HBR_CHECK(cells > 0 && high > low, "{} cells over [{}, {}]", cells, low, high);
@@ -22,4 +22,4 @@ std::size_t GridCells::cell_of(const float* descriptor) const {
   return index;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -3,7 +3,7 @@
 
 #include "pipeline/qd/cell_archive.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // The box [low, high]^d in `cells` cells a side; a descriptor outside belongs to the nearest cell.
 struct GridCells {
@@ -24,4 +24,4 @@ class GridArchive final : public CellArchive {
   GridCells cells_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -8,7 +8,7 @@
 #include "pipeline/qd/dimension.h"
 #include "pipeline/qd/neighbour_grid.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 
 constexpr float kEverything = std::numeric_limits<float>::infinity();
@@ -112,4 +112,4 @@ std::unique_ptr<LocalScores> make_local_scores(int descriptor_size, int neighbou
   });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -10,7 +10,7 @@
 
 #include "pipeline/qd/elite_store.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 class LocalScores {
  public:
@@ -35,4 +35,4 @@ class LocalScores {
 // descriptor_size: 1 to 8; neighbours (k): 1 to 32; [low, high]: range of the descriptor in every dimension.
 std::unique_ptr<LocalScores> make_local_scores(int descriptor_size, int neighbours, float low, float high);
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -9,7 +9,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 template <class Kinds>
 std::vector<const char*> names_of(const Kinds& kinds) {
@@ -34,4 +34,4 @@ const auto& named(const Kinds& kinds, const std::string& name, const char* what)
   throw InputError("{} '{}': expected one of {}", what, name, fmt::join(names_of(kinds), ", "));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

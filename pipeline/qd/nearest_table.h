@@ -13,7 +13,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 template <int D>
 class NearestTable {
@@ -245,4 +245,4 @@ class NearestTable {
   std::vector<std::size_t> runs_ = {0};  // where each run of spilled_ begins, and where the last one ends
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -13,7 +13,7 @@
 
 #include "pipeline/qd/elite_store.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 inline constexpr int kMaxNeighbours = 32;  // that a novelty score may average
 
@@ -241,4 +241,4 @@ class NeighbourGrid {
   std::vector<Node> node_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

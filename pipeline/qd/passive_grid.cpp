@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 constexpr float kEmpty = -std::numeric_limits<float>::infinity();
 }
@@ -36,4 +36,4 @@ double PassiveGrid::mean() const {
   return qd_score(0) / static_cast<double>(filled());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

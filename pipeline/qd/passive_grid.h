@@ -7,7 +7,7 @@
 #include "pipeline/qd/elites.h"
 #include "pipeline/qd/grid_archive.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 class PassiveGrid {
  public:
@@ -27,4 +27,4 @@ class PassiveGrid {
   std::vector<float> best_;  // by cell; minus infinity: empty
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

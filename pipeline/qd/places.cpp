@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline qd {
 
 NearestElites nearest_elites(const Rows& places, const Elites& elites) {
   NearestElites found;
@@ -26,4 +26,4 @@ Rows places_beside(const Rows& places, double by, Seed seed) {
   return moved;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -6,7 +6,7 @@
 #include "pipeline/core/random.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 struct NearestElites {
   std::vector<std::int32_t> elite;  // [n]
@@ -19,4 +19,4 @@ NearestElites nearest_elites(const Rows& places, const Elites& elites);
 // The places [n x d], each coordinate moved by up to `by` and within [0, 1].
 Rows places_beside(const Rows& places, double by, Seed seed);
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -3,7 +3,7 @@
 
 #include "pipeline/qd/elite_store.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 enum class Admission { kRejected, kReplaced, kNovel };
 
@@ -41,4 +41,4 @@ inline Candidate candidate_of(const Elites& elites, Eigen::Index i) {
           elites.parent[i]};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

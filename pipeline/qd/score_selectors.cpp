@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 void Roulette::set(const std::vector<float>& scores) {
   const double floor = std::min(0.0f, *std::min_element(scores.begin(), scores.end()));
@@ -86,4 +86,4 @@ Slot NslcSelector::draw(Slot size, Rng& rng) const {
   return front_[b] < front_[a] ? b : a;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

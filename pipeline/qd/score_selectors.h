@@ -8,7 +8,7 @@
 #include "pipeline/qd/local_scores.h"
 #include "pipeline/qd/selector.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // Proportionate selection: an elite's share is its score minus min(0, lowest score), as for curiosity; when
 // all shares are 0 every elite is as likely.
@@ -75,4 +75,4 @@ class NslcSelector final : public ScoreSelector {
   std::vector<int> front_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 // Children that one task breeds: few enough to balance. They are evaluated by groups of as many as a learned
 // descriptor works on at once, so that none of its lanes is idle.
@@ -150,4 +150,4 @@ void Search::resume(const SearchState& state) {
   progress_ = state.progress;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

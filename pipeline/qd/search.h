@@ -14,7 +14,7 @@
 #include "pipeline/qd/selector.h"
 #include "pipeline/qd/variation.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 // Whom a selector credits with a child. The published program of Cully and Demiris (sferes2's modular_QD)
 // shuffles the parents before it breeds them, but credits them in the order in which they were drawn: every
@@ -78,4 +78,4 @@ class Search {
   std::vector<ProgressRow> progress_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

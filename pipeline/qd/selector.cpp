@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 constexpr std::int64_t kReward = 2, kPenalty = -1;  // halves
 }
@@ -70,4 +70,4 @@ void CuriositySelector::restore(const std::vector<std::int64_t>& memory) {
   for (std::size_t i = 0; i < memory.size(); ++i) set(static_cast<Slot>(i), memory[i]);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

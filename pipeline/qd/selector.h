@@ -8,7 +8,7 @@
 #include "pipeline/core/random.h"
 #include "pipeline/qd/repertoire.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 class Selector {
  public:
@@ -58,4 +58,4 @@ class CuriositySelector final : public Selector {
   Slot size_ = 0;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

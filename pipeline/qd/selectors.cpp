@@ -3,7 +3,7 @@
 #include "pipeline/qd/named.h"
 #include "pipeline/qd/score_selectors.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 
 template <class S>
@@ -29,4 +29,4 @@ constexpr SelectorKind kSelectors[] = {
 std::span<const SelectorKind> selector_kinds() { return kSelectors; }
 const SelectorKind& selector_kind(const std::string& name) { return named(kSelectors, name, "selector"); }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

@@ -7,7 +7,7 @@
 
 #include "pipeline/qd/selector.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 struct SelectorSettings {
   int descriptor_size;  // 1 to 8
@@ -25,4 +25,4 @@ std::span<const SelectorKind> selector_kinds();
 // Throws InputError for another name.
 const SelectorKind& selector_kind(const std::string& name);
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

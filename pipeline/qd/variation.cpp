@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline qd {
 namespace {
 
 void sample_genes(float* genes, int n, Rng& rng) {
@@ -65,4 +65,4 @@ int BlockMutation::vary(const float* parent, int length, float* child, Rng& rng)
   return length - block_;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

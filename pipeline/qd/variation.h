@@ -3,7 +3,7 @@
 
 #include "pipeline/core/random.h"
 
-namespace hbr {
+namespace hbr::inline qd {
 
 class Variation {
  public:
@@ -65,4 +65,4 @@ class BlockMutation final : public Variation {
   float length_rate_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline qd

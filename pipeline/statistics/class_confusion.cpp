@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 ClassCounts nearest_classes(std::span<const float> position, std::span<const std::uint8_t> label) {
   const std::size_t n = label.size(), dimension = n > 0 ? position.size() / n : 0;
@@ -45,4 +45,4 @@ ClassCounts nearest_classes(std::span<const float> position, std::span<const std
   return counts;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

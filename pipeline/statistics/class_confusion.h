@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 inline constexpr std::size_t kDigitClasses = 10;
 
@@ -16,4 +16,4 @@ inline constexpr std::size_t kDigitClasses = 10;
 using ClassCounts = std::array<std::array<double, kDigitClasses>, kDigitClasses>;
 ClassCounts nearest_classes(std::span<const float> position, std::span<const std::uint8_t> label);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

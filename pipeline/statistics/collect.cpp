@@ -2,7 +2,7 @@
 
 #include "pipeline/statistics/readers.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 // The last word of a quantity's name is what was measured, the rest whose it is.
@@ -93,4 +93,4 @@ nlohmann::json collect_statistics(const std::string& profile,
   return table.json();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 // Artifacts by their names below OUT ("layer2_n10/03.h5"), see pipeline/artifact/FORMAT.md; and the names of
 // the profile's layers, which may be any. What is not there is not in the result; table.h describes it.
@@ -16,4 +16,4 @@ nlohmann::json collect_statistics(const std::string& profile,
                                   const std::map<std::string, std::filesystem::path>& artifacts,
                                   const std::set<std::string>& layers = {});
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 std::vector<double> shared_points(const std::vector<Course>& replications) {
@@ -43,4 +43,4 @@ void add_curve(StatisticsTable& table, const std::string& name, const std::strin
   table.curve(name, x, at, measure, rows);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -7,7 +7,7 @@
 
 #include "pipeline/statistics/table.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 using Course = std::vector<std::pair<double, double>>;  // (at, value), ascending
 
@@ -18,4 +18,4 @@ inline constexpr std::size_t kCurvePoints = 200;
 void add_curve(StatisticsTable& table, const std::string& name, const std::string& x,
                const std::string& measure, const std::vector<Course>& replications);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -9,7 +9,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 constexpr std::int64_t kMostCombinations = 65536;
@@ -228,4 +228,4 @@ FactorialAnalysis analyse_factorial(const std::vector<int>& levels, const std::v
   return analysis;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

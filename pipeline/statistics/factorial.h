@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 using Levels = std::vector<int>;  // of each factor, from 0
 
@@ -37,4 +37,4 @@ struct FactorialAnalysis {
 FactorialAnalysis analyse_factorial(const std::vector<int>& levels, const std::vector<Levels>& runs,
                                     const std::vector<double>& response);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -9,7 +9,7 @@
 #include "pipeline/core/random.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 std::vector<double> adjusted_together(std::span<const double> p) {
   std::vector<std::size_t> order(p.size());
@@ -50,4 +50,4 @@ std::optional<int> replications_to_tell(double a12, double level) {
   return static_cast<int>(std::ceil(z * z / (6 * std::pow(a12 - 0.5, 2))));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 // Holm's step-down adjustment (1979): the least level at which each of the tests, read together, would be
 // significant. In the order given, at most 1.
@@ -34,4 +34,4 @@ inline constexpr double kPower = 0.8;
 // chance of kPower, were the effect size A12 what it seems to be (Noether 1987); nothing where that is 1/2.
 std::optional<int> replications_to_tell(double a12, double level);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

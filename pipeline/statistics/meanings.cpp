@@ -1,6 +1,6 @@
 #include "pipeline/statistics/meanings.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 constexpr std::array kOfSearch = {
@@ -207,4 +207,4 @@ std::optional<Meaning> meaning_of(const std::string& name) {
   return {};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

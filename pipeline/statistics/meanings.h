@@ -13,7 +13,7 @@
 
 #include "pipeline/statistics/names.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 // {} in a meaning stands for the subject: the layer, its variant, the robot.
 struct Entry {
@@ -42,4 +42,4 @@ std::string search_words(const std::string& head);
 // Of the words of a name: what other robots made of the arm's layers. Nothing for all other names.
 std::optional<Meaning> meaning_of_robots(const std::vector<std::string>& parts);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -7,7 +7,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/meanings.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 struct Head {
@@ -104,4 +104,4 @@ ArtifactName parse_artifact_name(const std::string& name, const std::set<std::st
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 // "layer2_n10/03.h5" is {layer2, n10, 3}, "nao_transfer/00.h5" {transfer, nao, 0}, "judge.h5" {judge, "",
 // -1}. A robot's layer 1 is a variant of layer 1. A layer that a profile calls otherwise, as "spirals/01.h5",
@@ -36,4 +36,4 @@ struct Meaning {
 //   layer2.n10.size    accuracy.reference_endpoint    transfer.nao.absolute    judge.test_accuracy
 std::optional<Meaning> meaning_of(const std::string& name);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 // Less their mean: twice the sum of ranks 0 to n - 1 is n (n - 1).
@@ -41,4 +41,4 @@ double rank_correlation(std::span<const double> a, std::span<const double> b) {
   return scale > 0 ? product(x, y) / scale : 0;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -8,7 +8,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 struct Ranked {
@@ -104,4 +104,4 @@ double least_p(std::size_t n_a, std::size_t n_b) {
   return normal_p(0, static_cast<double>(n_a), static_cast<double>(n_b), 0);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

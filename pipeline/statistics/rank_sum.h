@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 struct RankSum {
   double u = 0;  // pairs in which a is greater, ties counting one half; in [0, n_a n_b]
@@ -37,4 +37,4 @@ double effect_size(std::span<const double> a, std::span<const double> b);
 // The least p that samples of these sizes can give, without ties.
 double least_p(std::size_t n_a, std::size_t n_b);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

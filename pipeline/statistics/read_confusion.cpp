@@ -10,7 +10,7 @@
 #include "pipeline/statistics/rank_correlation.h"
 #include "pipeline/statistics/readers.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 using OfClasses = std::array<double, kDigitClasses>;
@@ -91,4 +91,4 @@ void read_confusion(const std::vector<Artifact>& networks, const std::vector<Art
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

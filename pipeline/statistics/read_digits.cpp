@@ -11,7 +11,7 @@
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 constexpr double kCell = 0.1;  // side of a cell of the latent square [-1, 1]^2
@@ -158,4 +158,4 @@ void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table)
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -6,7 +6,7 @@
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 std::vector<double> read_values(const Hdf5Reader& file, const std::string& name) {
@@ -94,4 +94,4 @@ void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table)
       table.number(artifact.name.prefix() + "." + value, Hdf5Reader(artifact.path).number_attribute(value));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

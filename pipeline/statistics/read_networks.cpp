@@ -6,7 +6,7 @@
 #include "pipeline/statistics/curves.h"
 #include "pipeline/statistics/readers.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 struct Training {
@@ -89,4 +89,4 @@ void read_judge(const std::vector<Artifact>& artifacts, StatisticsTable& table) 
       table.number(std::string("judge.") + figure, Hdf5Reader(artifact.path).number_attribute(figure));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -4,7 +4,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/readers.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 void read_numbers(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
   for (const Artifact& artifact : artifacts) {
@@ -21,4 +21,4 @@ void read_numbers(const std::vector<Artifact>& artifacts, StatisticsTable& table
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

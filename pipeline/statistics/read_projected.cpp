@@ -5,7 +5,7 @@
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 void read_projected(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
   for (const Artifact& artifact : artifacts) {
@@ -38,4 +38,4 @@ void read_projected(const std::vector<Artifact>& artifacts, StatisticsTable& tab
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

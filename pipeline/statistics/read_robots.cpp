@@ -9,7 +9,7 @@
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 // Values of one kind: a median for each replication, and all of them together.
@@ -183,4 +183,4 @@ void read_tuned(const std::vector<Artifact>& artifacts, StatisticsTable& table) 
   pooled.write_boxes();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

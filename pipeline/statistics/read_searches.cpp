@@ -9,7 +9,7 @@
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 struct Search {
@@ -178,4 +178,4 @@ void read_searches(const ArtifactsByHead& artifacts, StatisticsTable& table) {
   add_hierarchy_genes(table, searches);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -11,7 +11,7 @@
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 // Digits with a turn, of one replication or of all.
@@ -101,4 +101,4 @@ void read_turns(const std::vector<Artifact>& artifacts, StatisticsTable& table) 
                bootstrap(flat->second.turn, hbr->second.turn, effect_size, name));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -9,7 +9,7 @@
 #include "pipeline/statistics/names.h"
 #include "pipeline/statistics/table.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 struct Artifact {
   ArtifactName name;
@@ -39,4 +39,4 @@ void read_tuned(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_projected(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 void read_planes(const std::vector<Artifact>& artifacts, StatisticsTable& table);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

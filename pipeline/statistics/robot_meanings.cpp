@@ -1,6 +1,6 @@
 #include "pipeline/statistics/meanings.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 constexpr std::array kOfTransfer = {
@@ -135,4 +135,4 @@ std::optional<Meaning> meaning_of_robots(const std::vector<std::string>& parts) 
   return {};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -9,7 +9,7 @@
 #include "pipeline/artifact/json_file.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 constexpr Range kAny{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
@@ -171,4 +171,4 @@ nlohmann::json read_statistics(const std::filesystem::path& file) {
   return statistics;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 // Throws InputError, "WHERE: quantities.NAME.n: expected ..., found ...", where it is not as described in
 // table.h. What is kept as a reference has no curves.
@@ -13,4 +13,4 @@ void check_statistics(const nlohmann::json& statistics, const std::string& where
 
 nlohmann::json read_statistics(const std::filesystem::path& file);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

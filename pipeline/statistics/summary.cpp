@@ -6,7 +6,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 void sort_finite(std::vector<double>& values, const char* what) {
@@ -55,4 +55,4 @@ double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 struct Summary {
   std::size_t n = 0;
@@ -31,4 +31,4 @@ Box box(std::vector<double> values, const char* what);
 
 double mean(std::span<const double> values);
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

@@ -7,7 +7,7 @@
 #include "pipeline/statistics/rank_sum.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline statistics {
 namespace {
 
 nlohmann::json described(const std::string& name) {
@@ -130,4 +130,4 @@ nlohmann::json StatisticsTable::json() const {
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

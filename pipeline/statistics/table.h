@@ -25,7 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline statistics {
 
 class StatisticsTable {
  public:
@@ -54,4 +54,4 @@ class StatisticsTable {
   nlohmann::json rest_;  // profile, numbers, tests, boxes, curves
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline statistics

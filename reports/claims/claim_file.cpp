@@ -8,7 +8,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/names.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 template <class Fields>
 void describe(Fields& f, Need& need) {
@@ -118,4 +118,4 @@ ClaimFile read_claim_file(const std::filesystem::path& path) {
   return file;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

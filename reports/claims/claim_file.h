@@ -8,7 +8,7 @@
 
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // A run is large enough where a number is at least so large, or a quantity has at least so many replications.
 struct Need {
@@ -54,4 +54,4 @@ struct ClaimFile {
 // (pipeline/statistics/names.h), ids unique, sizes defined, ranges in order.
 ClaimFile read_claim_file(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

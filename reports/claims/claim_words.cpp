@@ -10,7 +10,7 @@
 #include "pipeline/statistics/rank_sum.h"
 #include "reports/text/format.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // In the unit of what was computed: ratios and chances have none.
@@ -165,4 +165,4 @@ std::string reason(const std::vector<Measured>& measured, const std::vector<Need
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

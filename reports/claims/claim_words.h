@@ -8,7 +8,7 @@
 #include "pipeline/statistics/inference.h"
 #include "reports/claims/claim_file.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // A statistic as claims see it: a number has no values.
 struct Statistic {
@@ -56,4 +56,4 @@ std::string ours_in_words(const Claim& claim, const std::vector<Measured>& measu
 std::string reason(const std::vector<Measured>& measured, const std::vector<NeedFound>& needs,
                    const std::string& indication);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

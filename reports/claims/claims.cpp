@@ -12,7 +12,7 @@
 #include "reports/claims/claim_words.h"
 #include "reports/claims/measured.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -218,4 +218,4 @@ json evaluate_claims(const std::filesystem::path& claims, const json& statistics
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // `claims` is reports/claims.toml, `statistics` the contents of statistics.json
 // (pipeline/statistics/table.h). Returns claims.json, an array in the file's order of
@@ -31,4 +31,4 @@ namespace hbr {
 // Throws InputError where the file or the statistics are not as described.
 nlohmann::json evaluate_claims(const std::filesystem::path& claims, const nlohmann::json& statistics);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

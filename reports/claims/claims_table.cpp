@@ -8,7 +8,7 @@
 #include "reports/claims/verdicts.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -93,4 +93,4 @@ std::string claims_table(const json& claims) {
   return html;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

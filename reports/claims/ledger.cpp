@@ -5,7 +5,7 @@
 #include "pipeline/core/check.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 std::string text_in(const nlohmann::json& reading, const char* key) {
@@ -29,4 +29,4 @@ std::string ledger_html(const nlohmann::json& readings) {
   return html;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // readings.toml as JSON: an array of {id, title, paper, reading, alternatives, effect, option}. Throws
 // InputError where a text is missing; `option` (the profile's key) may be empty.
 std::string ledger_html(const nlohmann::json& readings);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -3,7 +3,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/rank_sum.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 using nlohmann::json;
 
@@ -33,4 +33,4 @@ std::optional<double> computed(const std::string& kind, const Statistic& of, con
   return {};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

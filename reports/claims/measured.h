@@ -7,7 +7,7 @@
 
 #include "reports/claims/claim_words.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // Reads statistics.json, which has to outlive it. Throws InputError where it is none.
 class StatisticsReader {
@@ -22,4 +22,4 @@ class StatisticsReader {
 // As a check's kind says (claim_file.h); nothing where it can't be computed.
 std::optional<double> computed(const std::string& kind, const Statistic& of, const Statistic& to);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

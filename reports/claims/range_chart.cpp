@@ -8,7 +8,7 @@
 
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr double kWidth = 170, kHeight = 18, kAir = 0.12, kRadius = 4.5;
@@ -68,4 +68,4 @@ std::string range_chart(const nlohmann::json& check) {
       scale(x), kHeight / 2, kRadius);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

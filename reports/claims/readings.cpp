@@ -7,7 +7,7 @@
 #include "pipeline/artifact/profile.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct Reading {
   std::string id, title, paper, reading, alternatives, effect, option;
@@ -45,4 +45,4 @@ nlohmann::json read_readings(const std::filesystem::path& path) {
   return settings_to_json(std::move(file))["readings"];
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // reports/readings.toml as an array of {id, title, paper, reading, alternatives, effect, option}, all texts.
 // Throws InputError where a key is missing or unknown, a text other than `option` is empty, or an id is given
 // twice.
 nlohmann::json read_readings(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -9,7 +9,7 @@
 #include "reports/claims/verdicts.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -126,4 +126,4 @@ std::string sensitivity_html(const json& table) {
       table.at("rows").size(), moving, moving == 1 ? "moves" : "move", readings, heads, rows);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

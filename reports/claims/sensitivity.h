@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct VariationClaims {
   std::string name;       // "rho_012"
@@ -31,4 +31,4 @@ nlohmann::json sensitivity_table(const nlohmann::json& claims,
 // The section of the page; "" where the table has no variations.
 std::string sensitivity_html(const nlohmann::json& table);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

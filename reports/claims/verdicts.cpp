@@ -8,7 +8,7 @@
 #include "pipeline/core/check.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // A sign beside the colour, for those who see no colours.
@@ -74,4 +74,4 @@ std::string verdict_badge(const std::string& name, const std::string& whose) {
 
 std::string verdict_class(const std::string& name) { return verdict_named(name, "a claim").css; }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // Of claims.json (reports/claims/claims.h). All throw InputError where a verdict is none of the four.
 nlohmann::json claims_decided_by(const std::string& what,
@@ -16,4 +16,4 @@ std::string verdict_filters(const nlohmann::json& claims);  // buttons that show
 std::string verdict_badge(const std::string& verdict, const std::string& whose);
 std::string verdict_class(const std::string& verdict);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

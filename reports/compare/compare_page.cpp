@@ -13,7 +13,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -264,4 +264,4 @@ std::string compare_page(const ComparedRun& a, const ComparedRun& b) {
       kPageJs);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

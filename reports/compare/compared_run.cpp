@@ -11,7 +11,7 @@
 #include "pipeline/core/file_error.h"
 #include "pipeline/statistics/statistics_file.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ ComparedRun read_compared_run(const fs::path& out) {
   return run;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

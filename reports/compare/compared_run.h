@@ -9,7 +9,7 @@
 
 #include "pipeline/artifact/manifest.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct ComparedRun {
   std::filesystem::path out;
@@ -23,4 +23,4 @@ struct ComparedRun {
 // Throws InputError where the folder is missing or holds no artifact with a manifest.
 ComparedRun read_compared_run(const std::filesystem::path& out);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

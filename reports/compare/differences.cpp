@@ -9,7 +9,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -165,4 +165,4 @@ std::vector<MeasureRow> measure_rows(const json& a, const json& b) {
   return all;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -7,7 +7,7 @@
 #include "pipeline/statistics/rank_sum.h"
 #include "reports/compare/compared_run.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // A key of the settings that some stages of both runs were told otherwise.
 struct SettingDifference {
@@ -52,4 +52,4 @@ struct MeasureRow {
 // What both have and is not the same first, the greatest effect leading; by names otherwise.
 std::vector<MeasureRow> measure_rows(const nlohmann::json& a, const nlohmann::json& b);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

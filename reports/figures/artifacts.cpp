@@ -2,7 +2,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // "layer2_n10/03.h5" -> "layer2_n10"; empty where the artifact has no replications.
@@ -43,4 +43,4 @@ std::vector<std::string> Artifacts::ending(const std::string& suffix) const {
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

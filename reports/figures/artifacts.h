@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 class Artifacts {
  public:
@@ -27,4 +27,4 @@ class Artifacts {
   std::map<std::string, std::filesystem::path> paths_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <sstream>
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 struct Row {
@@ -141,4 +141,4 @@ Contender contender(const std::string& name) {
   return who ? Contender{name, who->label, who->colour} : Contender{name, name, Colour::grey};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -5,7 +5,7 @@
 
 #include "reports/plot/colour.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct Contender {
   std::string name;   // as the statistics call it: "layer2.n10", "flat_arcs"
@@ -20,4 +20,4 @@ Contender contender(const std::string& name);
 // A robot of the profile as figures call it: "NAO", "NAO left", "Industrial".
 std::string robot_title(const std::string& name);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

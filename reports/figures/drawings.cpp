@@ -5,7 +5,7 @@
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 bool has_drawings(const std::filesystem::path& path, const std::string& contender) {
   return Hdf5Reader(path).has(contender + "/image");
@@ -39,4 +39,4 @@ Drawings read_drawings(const std::filesystem::path& path, const std::string& con
   return drawings;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct Drawings {
   std::vector<std::uint8_t> pixels;  // [n x 28 x 28]
@@ -32,4 +32,4 @@ bool has_drawings(const std::filesystem::path& path, const std::string& contende
 // `contender` is "hbr" or "flat". Throws InputError where the arrays do not agree or there is no digit.
 Drawings read_drawings(const std::filesystem::path& path, const std::string& contender);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

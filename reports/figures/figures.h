@@ -8,7 +8,7 @@
 #include "reports/figures/statistics_view.h"
 #include "reports/plot/figure.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // What figures are drawn from: pictures from the artifacts, numbers from the statistics alone, so that
 // figure, table and text agree.
@@ -50,4 +50,4 @@ Figure tuned_figure(const Evidence& evidence, const std::string& robot);     // 
 // them.
 std::string best_digits_picture(const Artifacts& artifacts, int rows);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

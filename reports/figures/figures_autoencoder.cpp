@@ -12,7 +12,7 @@
 #include "reports/plot/picture.h"
 #include "reports/plot/plot_frame.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // Ten hues of equal weight; the classes are named where they lie, so colour alone carries nothing.
@@ -172,4 +172,4 @@ Figure autoencoder_figure(const Evidence& evidence) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -14,7 +14,7 @@
 #include "reports/figures/figures.h"
 #include "reports/plot/picture.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using Place = std::vector<double>;  // in the latent space
@@ -180,4 +180,4 @@ Figure continuum_figure(const Evidence& evidence) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -14,7 +14,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr double kMillimetres = 1000;
@@ -173,4 +173,4 @@ Figure coverage_figure(const Evidence& evidence, const std::string& robot) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

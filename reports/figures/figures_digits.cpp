@@ -10,7 +10,7 @@
 #include "reports/figures/panels.h"
 #include "reports/plot/picture.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // Digits at their places in [-1, 1]^2, by the first two coordinates where there are more; pictures overlap
@@ -148,4 +148,4 @@ std::string best_digits_picture(const Artifacts& artifacts, int rows) {
   return inline_svg(drawing, "best-digits", "Digits drawn by the arm");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -14,7 +14,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 const std::string kReplayed = "_dynamics";
@@ -178,4 +178,4 @@ Figure dynamics_figure(const Evidence& evidence, const std::string& id) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -14,7 +14,7 @@
 #include "reports/plot/plot_frame.h"
 #include "reports/text/format.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr std::array kDrawers = {"hbr", "flat"};
@@ -207,4 +207,4 @@ Figure fooling_figure(const Evidence& evidence) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

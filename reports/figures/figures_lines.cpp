@@ -7,7 +7,7 @@
 #include "reports/figures/panels.h"
 #include "reports/text/format.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 void append(std::vector<Panel>& panels, std::vector<Panel> more) {
@@ -169,4 +169,4 @@ Figure arc_quality_figure(const Evidence& evidence) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

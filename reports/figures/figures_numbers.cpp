@@ -13,7 +13,7 @@
 #include "reports/figures/panels.h"
 #include "reports/plot/picture.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr int kNumberColumns = 10;
@@ -156,4 +156,4 @@ Figure layers_figure(const Evidence& evidence) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -11,7 +11,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 const std::string kPrefix = "layer1_search.";
@@ -103,4 +103,4 @@ Figure searches_figure(const Evidence& evidence) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

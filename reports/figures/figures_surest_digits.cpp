@@ -9,7 +9,7 @@
 #include "reports/figures/figures.h"
 #include "reports/plot/picture.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr int kFrames = 30;       // poses of an animation, evenly along the stroke
@@ -176,4 +176,4 @@ Figure surest_digits_figure(const Evidence& evidence) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -13,7 +13,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 const std::string kTransferred = "_transfer";
@@ -204,4 +204,4 @@ Figure posture_figure(const Evidence& evidence, const std::string& robot) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

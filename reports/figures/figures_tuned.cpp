@@ -13,7 +13,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 const std::string kTuned = "_tuned";
@@ -141,4 +141,4 @@ Figure tuned_figure(const Evidence& evidence, const std::string& id) {
   return figure;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

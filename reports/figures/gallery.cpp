@@ -4,7 +4,7 @@
 
 #include "reports/plot/picture.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 Panel gallery_panel(const std::string& title, const std::vector<GalleryRow>& rows) {
   constexpr int kSide = 84;
@@ -28,4 +28,4 @@ Panel gallery_panel(const std::string& title, const std::vector<GalleryRow>& row
       3};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

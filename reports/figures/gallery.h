@@ -7,7 +7,7 @@
 
 #include "reports/plot/figure.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 inline constexpr std::size_t kGalleryColumns = 8;
 
@@ -20,4 +20,4 @@ struct GalleryRow {
 // Three of the six columns of a figure's row wide.
 Panel gallery_panel(const std::string& title, const std::vector<GalleryRow>& rows);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -8,7 +8,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr std::size_t kFew = 20;  // values that can be shown one by one
@@ -157,4 +157,4 @@ std::string tests_table(const StatisticsView& statistics, const std::vector<std:
          "</details>\n";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -7,7 +7,7 @@
 #include "reports/figures/statistics_view.h"
 #include "reports/plot/figure.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // "Size", "Best" and "Mean" of searches over generations, in the table "curves"; searches ("layer3.n10") that
 // were not made are left out, and so is a panel without any. `unit` is the fitness's.
@@ -35,4 +35,4 @@ std::vector<Panel> pooled_box_panel(const StatisticsView& statistics, const std:
 // The tests between every two of the quantities as an HTML table; "" where there is none.
 std::string tests_table(const StatisticsView& statistics, const std::vector<std::string>& names);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -5,7 +5,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/rank_sum.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // Reads with `read`, and says where the file is not as expected instead of what the parser stumbled over.
@@ -98,4 +98,4 @@ std::optional<Band> StatisticsView::curve(const std::string& name, const std::st
   });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

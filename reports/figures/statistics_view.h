@@ -9,7 +9,7 @@
 #include "pipeline/statistics/summary.h"
 #include "reports/plot/plot.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct Test {
   std::optional<double> p = {};      // of kFewestToTest replications and more (rank_sum.h)
@@ -44,4 +44,4 @@ class StatisticsView {
   nlohmann::json json_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -9,7 +9,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr std::size_t kShown = 6;  // of each form
@@ -130,4 +130,4 @@ std::string worst_digits(const std::vector<std::filesystem::path>& transfers,
          "</details>\n";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

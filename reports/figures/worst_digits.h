@@ -7,7 +7,7 @@
 
 #include "reports/plot/figure.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // Of the artifacts ROBOT_transfer and ROBOT_dynamics (the latter may be none) the worst digits of each form,
 // replications together: an HTML table, and the same in the table "worst" of `tables`.
@@ -19,4 +19,4 @@ namespace hbr {
 std::string worst_digits(const std::vector<std::filesystem::path>& transfers,
                          const std::vector<std::filesystem::path>& replays, Tables& tables);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 std::map<std::string, StageCost> stage_costs(const std::map<std::string, Manifest>& manifests) {
   std::map<std::string, StageCost> costs;
@@ -30,4 +30,4 @@ StageCost whole_cost(const std::map<std::string, StageCost>& costs) {
   return whole;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

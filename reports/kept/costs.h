@@ -6,7 +6,7 @@
 
 #include "pipeline/artifact/manifest.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct StageCost {
   int artifacts = 0;
@@ -20,4 +20,4 @@ std::map<std::string, StageCost> stage_costs(const std::map<std::string, Manifes
 
 StageCost whole_cost(const std::map<std::string, StageCost>& costs);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -12,7 +12,7 @@
 #include "pipeline/statistics/statistics_file.h"
 #include "reports/kept/lineage.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -269,4 +269,4 @@ std::map<std::string, KeptRun> read_all_kept(const fs::path& references) {
   return all;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -9,7 +9,7 @@
 
 #include "reports/kept/costs.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct KeptArtifact {
   std::string bytes;     // of its content's hash the first digits
@@ -40,4 +40,4 @@ KeptRun read_kept(const std::filesystem::path& folder);
 // Those of all folders in it, by their names.
 std::map<std::string, KeptRun> read_all_kept(const std::filesystem::path& references);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

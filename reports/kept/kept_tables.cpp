@@ -12,7 +12,7 @@
 #include "reports/text/format.h"
 #include "reports/text/template.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 template <class Fields>
 void describe(Fields& f, KeptTableRow& r) {
   f.text("what", r.what, "first cell");
@@ -115,4 +115,4 @@ std::string with_table(const std::string& text, const KeptTable& table, const st
   return text.substr(0, inside) + markdown + text.substr(to);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -14,7 +14,7 @@
 
 #include "reports/kept/kept_run.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct KeptTableRow {
   std::string what;                // the first cell
@@ -42,4 +42,4 @@ std::string as_markdown(const KeptTable& table, const std::map<std::string, Kept
 // missing.
 std::string with_table(const std::string& text, const KeptTable& table, const std::string& markdown);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

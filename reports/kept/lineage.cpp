@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 std::map<std::string, Manifest> lineage(const std::filesystem::path& out, const std::string& output) {
   std::map<std::string, Manifest> found;
@@ -29,4 +29,4 @@ std::map<std::string, Manifest> lineage(const std::filesystem::path& out, const 
   return found;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -7,10 +7,10 @@
 
 #include "pipeline/artifact/manifest.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // The manifests of the artifact and of its ancestors, by their outputs ("layer1/00.h5"). Throws InputError
 // where one is missing or not as a run left it.
 std::map<std::string, Manifest> lineage(const std::filesystem::path& out, const std::string& output);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

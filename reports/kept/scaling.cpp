@@ -6,7 +6,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 std::vector<std::vector<std::size_t>> followers(const std::vector<Job>& jobs) {
@@ -99,4 +99,4 @@ std::vector<std::size_t> critical_path(const std::vector<Job>& jobs) {
   return path;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

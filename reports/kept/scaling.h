@@ -7,7 +7,7 @@
 
 #include "pipeline/artifact/manifest.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // A run of a stage on one processor.
 struct Job {
@@ -27,4 +27,4 @@ double makespan(const std::vector<Job>& jobs, int processors);
 // The longest chain of jobs that wait for each other, the first one first: no number of processors is faster.
 std::vector<std::size_t> critical_path(const std::vector<Job>& jobs);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

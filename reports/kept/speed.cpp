@@ -14,7 +14,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct SpeedPeer {
   std::string name;
@@ -266,4 +266,4 @@ std::string speed_html(const json& speed) {
   });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

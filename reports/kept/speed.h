@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // `rows` is tests/benchmarks.toml, `results` what Google Benchmark wrote (--benchmark_out). Of repetitions
 // the fastest counts, which others on the machine disturbed least. Returns
@@ -30,4 +30,4 @@ nlohmann::json read_speed(const std::filesystem::path& file);
 std::string speed_markdown(const nlohmann::json& speed);
 std::string speed_html(const nlohmann::json& speed);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

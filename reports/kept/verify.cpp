@@ -11,7 +11,7 @@
 #include "pipeline/statistics/rank_sum.h"
 #include "pipeline/statistics/summary.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -275,4 +275,4 @@ Verification verify(const KeptRun& reference, const KeptRun& run) {
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -6,7 +6,7 @@
 
 #include "reports/kept/kept_run.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct Verification {
   std::vector<std::string> differences;  // one line each
@@ -28,4 +28,4 @@ struct Verification {
 // without digits), a difference where a single one is missing from the run.
 Verification verify(const KeptRun& reference, const KeptRun& run);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

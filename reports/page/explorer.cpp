@@ -9,7 +9,7 @@
 #include "pipeline/core/check.h"
 #include "reports/page/pack.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr const char *kStage = "explorer", *kLinks = "links";
@@ -111,4 +111,4 @@ std::string explorer_html(const Artifacts& artifacts) {
          "(DecompressionStream).</p>\n<div id=\"explorer-app\" hidden></div>\n";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

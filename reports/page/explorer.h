@@ -6,7 +6,7 @@
 
 #include "reports/figures/artifacts.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // Of each replication that the run has explorer/RR.h5 of a pack "explorer-RR": its arrays by the names that
 // they have there, ids and ways in the smallest type that holds them; its words say of each layer what the
@@ -18,4 +18,4 @@ std::string explorer_packs(const Artifacts& artifacts, const std::string& profil
 // What stands in the section: the place that the scripts fill, or why there is none.
 std::string explorer_html(const Artifacts& artifacts);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

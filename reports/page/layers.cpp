@@ -16,7 +16,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr double kStackWidth = 316, kFlatLeft = 334, kFlatWidth = 108, kBox = 42, kStep = 68;
@@ -143,4 +143,4 @@ std::string layers_table(const std::vector<LayerOfProfile>& layers, const Eviden
                     "layers");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -6,7 +6,7 @@
 
 #include "reports/figures/figures.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // A layer as the profile and its kind (pipeline/hierarchy/layer_kind.h) have it.
 struct LayerOfProfile {
@@ -24,4 +24,4 @@ std::string hierarchy_diagram(const std::vector<LayerOfProfile>& layers);
 // genes and, over the replications, its elites.
 std::string layers_table(const std::vector<LayerOfProfile>& layers, const Evidence& evidence);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -10,7 +10,7 @@
 #include "pipeline/core/check.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // Level 9 takes twice the time of the whole page and makes it 0.2 % smaller.
@@ -102,4 +102,4 @@ template void Pack::array(const std::string&, const std::vector<std::size_t>&,
                           const std::vector<std::int32_t>&);
 template void Pack::array(const std::string&, const std::vector<std::size_t>&, const std::vector<float>&);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // Inflated, a pack is: the length of its header (uint32, little-endian), the header (JSON), and the arrays
 // one after the other. The header has `words` and `arrays`, a list of {name, type, shape, delta}. Of each
@@ -35,4 +35,4 @@ class Pack {
   std::string bytes_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

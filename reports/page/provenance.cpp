@@ -22,7 +22,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 namespace fs = std::filesystem;
@@ -147,4 +147,4 @@ void publish_report(const fs::path& page, const fs::path& out, const fs::path& r
   fs::remove_all(old);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

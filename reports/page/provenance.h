@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // HTML: versions, compilers, hosts; time, processor time and memory of each stage and of each variation; the
 // graph of the stages (by dot).
@@ -19,4 +19,4 @@ std::string provenance_html(const std::filesystem::path& out);
 void publish_report(const std::filesystem::path& page, const std::filesystem::path& out,
                     const std::filesystem::path& report);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -17,7 +17,7 @@
 #include "reports/text/html.h"
 #include "reports/text/template.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 std::string best_digits(const Artifacts& artifacts) {
@@ -96,4 +96,4 @@ void write_report(const ReportContent& content, const std::filesystem::path& fol
   if (!content.variations.empty()) write_file(folder / "sensitivity.json", sensitivity.dump(1) + "\n");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

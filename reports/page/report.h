@@ -9,7 +9,7 @@
 #include "reports/figures/artifacts.h"
 #include "reports/page/layers.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct ReportContent {
   std::string profile;
@@ -31,4 +31,4 @@ struct ReportContent {
 // The same content gives the same bytes: no time, host or path is written.
 void write_report(const ReportContent& content, const std::filesystem::path& folder);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -5,7 +5,7 @@
 #include "reports/figures/contender.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 std::vector<Figure> robot_figures(const Evidence& evidence, const std::string& robot) {
   return {posture_figure(evidence, robot), transfer_figure(evidence, robot), coverage_figure(evidence, robot),
@@ -26,4 +26,4 @@ std::string robot_html(const std::string& robot, const std::vector<Figure>& figu
   return html + "</div>\n";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -6,7 +6,7 @@
 
 #include "reports/figures/figures.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // The figures of a robot, in the order in which they stand in the page.
 std::vector<Figure> robot_figures(const Evidence& evidence, const std::string& robot);
@@ -14,4 +14,4 @@ std::vector<Figure> robot_figures(const Evidence& evidence, const std::string& r
 // The robot's part of the page from its figures, drawn; those behind the first two are folded.
 std::string robot_html(const std::string& robot, const std::vector<Figure>& figures);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

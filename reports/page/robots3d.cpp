@@ -13,7 +13,7 @@
 #include "reports/page/assets.h"
 #include "reports/page/pack.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 const std::string kShape = "_shape.h5";
@@ -230,4 +230,4 @@ std::string robots_3d_html(const Artifacts& artifacts, const std::filesystem::pa
   return kRobots3dHtml;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -8,7 +8,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 struct Entry {
@@ -89,4 +89,4 @@ std::string recolour_for_paper(std::string_view svg) {
   return recolour(svg, [](const Entry& entry) { return hex(entry.paper); });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

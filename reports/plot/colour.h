@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 enum class Colour { ink, faint, blue, orange, green, vermilion, purple, sky, grey };
 
@@ -19,4 +19,4 @@ std::string recolour_for_page(std::string_view svg);
 // ... or the value that suits white paper: ink and faint differ from their names.
 std::string recolour_for_paper(std::string_view svg);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

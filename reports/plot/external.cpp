@@ -7,7 +7,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/process/output.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 std::vector<std::string> environment() {
@@ -35,4 +35,4 @@ std::string run_program(const std::vector<std::string>& command, const std::stri
   throw InputError("{} {}: {}", command[0], how, output.errors.empty() ? "it said nothing" : output.errors);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -10,7 +10,7 @@
 #include "reports/plot/external.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr double kPage = 1232, kGap = 16;  // of a figure in its file
@@ -122,4 +122,4 @@ void write_figure(const Figure& figure, const std::filesystem::path& folder) {
     write_file(folder / fmt::format("{}_{}.csv", figure.id, name), table.csv());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -10,7 +10,7 @@
 #include "reports/plot/plot.h"
 #include "reports/plot/svg.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct Panel {
   std::string title;
@@ -58,4 +58,4 @@ std::string figure_html(const Figure& figure);
 // Writes folder/ID.svg, .pdf (by rsvg-convert) and ID_TABLE.csv for each table; nothing for an absent figure.
 void write_figure(const Figure& figure, const std::filesystem::path& folder);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -10,7 +10,7 @@
 #include "pipeline/core/check.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 void InkSheet::place(std::span<const std::uint8_t> image, double x, double y, int side) {
   HBR_CHECK(image.size() == kImageSide * kImageSide && side > 0, "{} pixels", image.size());
@@ -75,4 +75,4 @@ std::string svg_text(const std::string& text, double x, double y, double size, C
       x, y, size, anchor, hex(colour), escape_html(text));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

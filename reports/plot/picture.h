@@ -11,7 +11,7 @@
 #include "reports/plot/colour.h"
 #include "reports/plot/svg.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 inline constexpr int kImageSide = 28;  // pixels of a drawn digit
 
@@ -47,4 +47,4 @@ std::string square_axes(double x, double y, double side);
 enum class Align { left, centre, right };
 std::string svg_text(const std::string& text, double x, double y, double size, Colour colour, Align align);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -12,7 +12,7 @@
 #include "reports/plot/plot_frame.h"
 #include "reports/text/format.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // The first moments of a search are far below all that follows; they may leave the plot.
@@ -258,4 +258,4 @@ std::vector<Drawing> draw(const std::vector<PlotScript>& scripts) {
   return drawings;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

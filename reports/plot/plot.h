@@ -8,7 +8,7 @@
 #include "reports/plot/colour.h"
 #include "reports/plot/svg.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // Median and quartiles of several replications along x; the vectors are equally long, x ascends.
 struct Band {
@@ -72,4 +72,4 @@ PlotScript plot_script(const BarPlot& plot, const std::string& prefix);
 // Their drawings, 280 units high, by one call of gnuplot, which takes longer to start than to draw.
 std::vector<Drawing> draw(const std::vector<PlotScript>& scripts);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -9,7 +9,7 @@
 #include "reports/plot/colour.h"
 #include "reports/text/format.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr double kLeft = 62, kTop = 28;
@@ -118,4 +118,4 @@ std::string plot_head(double width, const std::string& unit, double right_margin
       bottom_margin / kPlotHeight, ink, faint, gnuplot_quoted(unit), 1 - 11 / kPlotHeight, hex(Colour::grey));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

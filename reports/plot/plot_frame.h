@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 inline constexpr double kPlotHeight = 280;
 
@@ -34,4 +34,4 @@ std::string gnuplot_quoted(const std::string& text);
 // Terminal of that width, margins (right: units left free for labels), border, grid, the unit above the axis.
 std::string plot_head(double width, const std::string& unit, double right_margin, double bottom_margin);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

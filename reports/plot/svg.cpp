@@ -8,7 +8,7 @@
 #include "reports/plot/colour.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr double kMargin = 12;
@@ -67,4 +67,4 @@ std::string svg_file(const std::vector<PlacedDrawing>& drawings, double width, d
                   -kMargin, width + 2 * kMargin, height + 2 * kMargin, body));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

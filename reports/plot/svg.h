@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // A drawing of its own coordinates [0, width] x [0, height]; `body` is what stands between <svg> and </svg>.
 struct Drawing {
@@ -34,4 +34,4 @@ inline constexpr double kTitleHeight = 26;
 // A file of its own of that size and a margin, on white.
 std::string svg_file(const std::vector<PlacedDrawing>& drawings, double width, double height);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -8,7 +8,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/names.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 
 template <class Fields>
 void describe(Fields& f, PaperFigure& s) {
@@ -76,4 +76,4 @@ std::optional<double> distance_of_all(const std::vector<std::optional<double>>& 
   return std::sqrt(sum / static_cast<double>(distances.size()));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct PaperFigure {
   std::string id, place, words;
@@ -26,4 +26,4 @@ std::vector<PaperFigure> read_paper_figures(const std::filesystem::path& path);
 inline constexpr double kFarthest = 10;
 std::optional<double> distance_of_all(const std::vector<std::optional<double>>& distances);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -12,7 +12,7 @@
 #include "reports/claims/measured.h"
 #include "reports/readings/paper_figures.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -150,4 +150,4 @@ json study_readings(const std::vector<StudiedReading>& readings, const std::vect
           {"claims", study.claims(claims)}};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct StudiedReading {
   std::string id;                   // in reports/readings.toml
@@ -37,4 +37,4 @@ nlohmann::json study_readings(const std::vector<StudiedReading>& readings,
                               const std::vector<StudiedRun>& runs, const std::filesystem::path& figures,
                               const std::filesystem::path& claims);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

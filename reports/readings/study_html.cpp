@@ -12,7 +12,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 using nlohmann::json;
@@ -179,4 +179,4 @@ std::string study_html(const json& study, const json& ledger) {
       tables.claims());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 constexpr const char* kNarrowSpace = "\u202f";
@@ -82,4 +82,4 @@ std::string format_p(double p) {
   return typeset(fmt::format("{:.{}f}", p, p < 0.01 ? 4 : p < 0.1 ? 3 : 2));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // Never rounds away the integer part: 1397 -> "1 397", 0.02962 -> "0.0296", 6.5e-5 -> "6.50·10⁻⁵".
 // Not finite -> "–".
@@ -26,4 +26,4 @@ std::string power_of_ten(int exponent);
 // A p-value to two digits: "0.034", "7.1·10⁻¹⁸"; 0 (underflow) -> "< 10⁻³⁰⁰".
 std::string format_p(double p);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

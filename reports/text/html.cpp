@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace hbr {
+namespace hbr::inline reports {
 std::string escape_html(std::string_view text) {
   std::string safe;
   for (const char c : text) switch (c) {
@@ -62,4 +62,4 @@ std::string html_table(const std::string& caption, const std::vector<std::string
   return html + "</tbody></table></div>\n";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

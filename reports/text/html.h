@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 // & < > " ' as entities: safe in text and in quoted attributes.
 std::string escape_html(std::string_view text);
@@ -21,4 +21,4 @@ std::string data_uri(std::string_view bytes, std::string_view media_type);
 std::string html_table(const std::string& caption, const std::vector<std::string>& head,
                        const std::vector<std::vector<std::string>>& rows, const std::string& css = "");
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

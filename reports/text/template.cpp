@@ -11,7 +11,7 @@
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
-namespace hbr {
+namespace hbr::inline reports {
 namespace {
 
 // Kinds of places that the statistics fill, and the table of statistics.json that does.
@@ -193,4 +193,4 @@ std::string fill_template(const std::string& text, const TemplateContent& conten
   return Filler(text, content).fill();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

@@ -22,7 +22,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline reports {
 
 struct TemplateContent {
   std::map<std::string, std::string> values;   // HTML
@@ -32,4 +32,4 @@ struct TemplateContent {
 
 std::string fill_template(const std::string& text, const TemplateContent& content);
 
-}  // namespace hbr
+}  // namespace hbr::inline reports

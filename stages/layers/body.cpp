@@ -4,7 +4,7 @@
 #include "models/robot/plane/plane_file.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 std::unique_ptr<Robot> make_body(const nlohmann::json& body, const std::string& where,
                                  const StageRun& stage) {
@@ -24,4 +24,4 @@ const RobotOnPlane& on_plane(const Robot& body) {
   return *robot;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -9,7 +9,7 @@
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/robot.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct ArmTable {
   std::vector<double> links;
@@ -28,4 +28,4 @@ std::unique_ptr<Robot> make_body(const nlohmann::json& body, const std::string& 
 // The body as a robot on its plane; throws InputError where it is the arm.
 const RobotOnPlane& on_plane(const Robot& body);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -8,7 +8,7 @@
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 void write_checkpoint(const std::filesystem::path& path, const SearchState& state) {
   std::vector<std::int32_t> order(state.elites.size());
@@ -43,4 +43,4 @@ SearchState read_checkpoint(const std::filesystem::path& path) {
           read_progress(path)};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -7,11 +7,11 @@
 
 #include "pipeline/qd/search.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // Whole or not at all.
 void write_checkpoint(const std::filesystem::path& path, const SearchState& state);
 // Throws InputError where the file is damaged.
 SearchState read_checkpoint(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -2,7 +2,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 void write_coordinates(Hdf5Writer& file, const std::string& array, const Coordinates& coordinates, double low,
@@ -33,4 +33,4 @@ void write_description(Hdf5Writer& file, const LayerModel& model) {
   file.attribute("units", model.fitness().unit, "objective");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -4,10 +4,10 @@
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/hierarchy/layer_model.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // Attributes of the arrays `solution`, `measures` and `objective`, which are written before; FORMAT.md has
 // them.
 void write_description(Hdf5Writer& file, const LayerModel& model);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -8,7 +8,7 @@
 #include "pipeline/qd/search.h"
 #include "stages/layers/checkpoint.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 constexpr std::chrono::seconds kCheckpointEvery{20};
@@ -69,4 +69,4 @@ std::unique_ptr<Variation> make_variation(const GenomeShape& genome, const Searc
                                          static_cast<float>(genome.length_rate));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

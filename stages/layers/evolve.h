@@ -10,7 +10,7 @@
 #include "pipeline/qd/variation.h"
 #include "stages/layers/search_settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // Range of the descriptor, the same in every dimension.
 struct DescriptorRange {
@@ -26,4 +26,4 @@ void evolve(StageRun& stage, const SearchTable& table, const Variation& variatio
 ContainerSettings container_settings(const SearchTable& table, DescriptorRange range);
 std::unique_ptr<Variation> make_variation(const GenomeShape& genome, const SearchTable& table);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

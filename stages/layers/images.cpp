@@ -2,7 +2,7 @@
 
 #include "pipeline/drawing/draw.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 std::vector<std::uint8_t> draw_all(const LayerModel& model, const Elites& elites, Workers& workers) {
   const auto n = static_cast<std::size_t>(elites.size()), pixels = model.images() * std::size_t{kImagePixels};
@@ -27,4 +27,4 @@ void write_images(Hdf5Writer& file, const LayerModel& model, const Elites& elite
   file.write("image", shape, bytes.data());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

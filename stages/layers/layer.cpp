@@ -11,7 +11,7 @@
 #include "stages/layers/warm_start.h"
 #include "stages/learned/descriptors.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct LayerSlice : RunTable {
@@ -62,6 +62,6 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Evolves a layer", hbr::run); }

@@ -12,7 +12,7 @@
 #include "pipeline/hierarchy/layers.h"
 #include "stages/layers/body.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 nlohmann::json settings_of(const std::filesystem::path& artifact) {
@@ -69,4 +69,4 @@ StackOnBody read_stack(const StageRun& stage, const std::string& name, const Des
   return stack;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -4,7 +4,7 @@
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/stack.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // A layer's elites, and what they are.
 struct StoredLayer {
@@ -34,4 +34,4 @@ void add_layer(StackOnBody& stack, StoredLayer layer);
 StackOnBody read_stack(const StageRun& stage, const std::string& name,
                        const Descriptor* descriptor = nullptr);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

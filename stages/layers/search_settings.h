@@ -10,7 +10,7 @@
 #include "pipeline/qd/neighbour_grid.h"
 #include "pipeline/qd/selectors.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct SearchTable {
   std::int64_t generations = 0;
@@ -73,4 +73,4 @@ void describe(Fields& f, SearchTable& s) {
   describe_generations(f, s);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

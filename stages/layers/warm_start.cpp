@@ -5,7 +5,7 @@
 #include "pipeline/qd/selectors.h"
 #include "stages/layers/checkpoint.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // Keeps what may stand side by side in the search's container: there two elites are at least (1 - epsilon) l
@@ -68,4 +68,4 @@ void evolve_on(StageRun& stage, const SearchTable& table, std::int64_t more, con
   evolve(stage, table, variation, evaluator, seed, range, finish);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -8,7 +8,7 @@
 #include "pipeline/qd/elites.h"
 #include "stages/layers/evolve.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // The same genomes with the descriptors, fitness and uncertainty that they have here; row i draws from
 // seed.child(i). Those without a behaviour here are left out.
@@ -28,4 +28,4 @@ void evolve_on(StageRun& stage, const SearchTable& table, std::int64_t more, con
                const Variation& variation, const Evaluator& evaluator, Seed seed, DescriptorRange range = {},
                const std::function<void(Hdf5Writer&, const Elites&)>& finish = nullptr);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -8,7 +8,7 @@
 #include "pipeline/artifact/stage.h"
 #include "stages/learned/descriptor_evidence.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct StageSettings : RunTable {
@@ -84,7 +84,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "Autoencoder: learns what digits look like", hbr::run);

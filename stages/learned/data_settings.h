@@ -9,7 +9,7 @@
 #include "pipeline/artifact/run_settings.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct DatasetSettings {
   std::string name;
@@ -54,4 +54,4 @@ void describe(Fields& f, JudgeStage& s) {
   f.table("random_strokes", s.random_strokes, "the control");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

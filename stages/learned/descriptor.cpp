@@ -15,7 +15,7 @@
 #include "stages/learned/descriptor_evidence.h"
 #include "stages/learned/descriptor_settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 constexpr std::size_t kGrain = 256;
@@ -100,7 +100,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "Descriptor: a network from elsewhere, or components", hbr::run);

@@ -7,7 +7,7 @@
 #include "models/dataset/dataset.h"
 #include "pipeline/artifact/hdf5_file.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 inline std::vector<float> as_floats(const std::vector<std::uint8_t>& bytes) {
   std::vector<float> floats;
@@ -39,4 +39,4 @@ void write_examples(Hdf5Writer& file, const LabelledImages& test, Paint&& paint)
   file.write("reconstruction/decoded", {n, kImageSide, kImageSide}, decoded.data());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

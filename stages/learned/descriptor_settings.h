@@ -7,7 +7,7 @@
 #include "models/descriptor/kernel_pca.h"
 #include "models/onnx/onnx_settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct DescriptorTable {
   std::string kind;
@@ -41,4 +41,4 @@ void describe(Fields& f, DescriptorSlice& s) {
   if (s.kind == "kernel_pca") f.table("kernel_pca", s.kernel_pca, "its numbers");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -8,7 +8,7 @@
 #include "models/onnx/onnx_descriptor.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 std::unique_ptr<Descriptor> load_descriptor(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
@@ -31,4 +31,4 @@ void decode_images(const Descriptor& descriptor, Eigen::Index n, const float* im
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

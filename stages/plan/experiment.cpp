@@ -10,7 +10,7 @@
 #include "stages/plan/plan.h"
 #include "stages/plan/readings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // The profile with some of its own tables of changes laid over it, to be read as strictly as itself.
@@ -154,4 +154,4 @@ Graph experiment_graph(const std::filesystem::path& file) {
   return graph;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -6,9 +6,9 @@
 
 #include "pipeline/artifact/graph.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // Throws InputError, with the file's name, where the profile is wrong.
 Graph experiment_graph(const std::filesystem::path& profile);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

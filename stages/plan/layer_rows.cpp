@@ -7,7 +7,7 @@
 #include "pipeline/artifact/profile.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 using nlohmann::json;
@@ -180,4 +180,4 @@ class RowReader {
 
 std::vector<LayerRow> layer_rows(const SettingsSource& profile) { return RowReader(profile).in_order(); }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -9,7 +9,7 @@
 #include "pipeline/hierarchy/layers.h"
 #include "stages/layers/search_settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct LayerRow {
   std::string name;  // of the stage
@@ -25,4 +25,4 @@ struct LayerRow {
 // kind or a layer below is not known, a key is missing, or layers stand on each other in a circle.
 std::vector<LayerRow> layer_rows(const SettingsSource& profile);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

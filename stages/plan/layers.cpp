@@ -1,7 +1,7 @@
 // The profile's layers, in every replication.
 #include "stages/plan/plan.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 void plan_layers(Plan& plan) {
   for (const LayerRow& row : plan.rows())
@@ -9,4 +9,4 @@ void plan_layers(Plan& plan) {
       plan.add_layer(row.name, row, r, plan.arm(), plan.inputs("below", plan.stack(row.below), r));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

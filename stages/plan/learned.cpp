@@ -4,7 +4,7 @@
 #include "models/onnx/file/weights.h"
 #include "stages/plan/plan.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // The four files of a dataset, gzipped where they are not there plain.
@@ -59,4 +59,4 @@ void plan_learned(Plan& plan) {
   plan.add("descriptor", "descriptor", -1, settings_to_json(slice), {{"dataset", "dataset.h5"}}, sources);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 void refuse_old_keys(const SettingsSource& profile) {
   constexpr std::pair<const char*, const char*> kOld[] = {
@@ -32,4 +32,4 @@ void refuse_old_keys(const SettingsSource& profile) {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -3,9 +3,9 @@
 
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // Throws InputError, with file, line and column, where the profile has one: what to write instead.
 void refuse_old_keys(const SettingsSource& profile);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

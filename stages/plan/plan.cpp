@@ -4,7 +4,7 @@
 #include <cctype>
 #include <set>
 
-namespace hbr {
+namespace hbr::inline stages {
 
 nlohmann::json with(nlohmann::json settings, const nlohmann::json& more) {
   settings.update(more);
@@ -120,4 +120,4 @@ void Plan::add(const std::string& program, const std::string& stage, int replica
       {program, stage, replication, output, std::move(settings), std::move(inputs), std::move(sources)});
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

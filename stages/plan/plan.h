@@ -5,7 +5,7 @@
 #include "stages/plan/layer_rows.h"
 #include "stages/plan/profile.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 using Inputs = std::vector<std::pair<std::string, std::string>>;
 
@@ -79,4 +79,4 @@ void plan_explorer(Plan& plan);
 // The arm and the robots in three dimensions.
 void plan_shown_robots(Plan& plan);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

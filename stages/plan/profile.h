@@ -15,7 +15,7 @@
 #include "stages/learned/descriptor_settings.h"
 #include "stages/robots/robot_tasks.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct Replications {
   int lines = 0;
@@ -250,4 +250,4 @@ void describe(Fields& f, Profile& s) {
   f.table("readings", s.readings, "other readings, taken together");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

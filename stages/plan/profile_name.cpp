@@ -8,7 +8,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,4 +40,4 @@ fs::path profile_file(const std::string& word, const fs::path& folder) {
       folder.string());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

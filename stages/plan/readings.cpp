@@ -7,7 +7,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/factorial.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 constexpr const char* kLedger = "reports/readings.toml";
@@ -74,4 +74,4 @@ Node readings_stage(const ReadingsTable& readings, const std::vector<Combination
   return {"readings", "readings", -1, "readings.json", settings, inputs, {claims, figures}};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

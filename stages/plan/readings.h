@@ -5,7 +5,7 @@
 #include "pipeline/artifact/graph.h"
 #include "stages/plan/profile.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct Combination {
   std::string name;         // of the variation, "readings_0120": the place of each reading's value
@@ -20,4 +20,4 @@ std::vector<Combination> combinations_of(const std::string& file, const Readings
 // The stage `readings`: of statistics that the graph has.
 Node readings_stage(const ReadingsTable& readings, const std::vector<Combination>& combinations);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

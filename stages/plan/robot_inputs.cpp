@@ -4,7 +4,7 @@
 
 #include "models/robot/description/find_mesh.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 const std::string kNaoMeshes = "nao_meshes";
@@ -46,4 +46,4 @@ std::vector<std::string> looks_of(const RobotSettings& robot) {
   return sources;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

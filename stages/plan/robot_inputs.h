@@ -3,7 +3,7 @@
 
 #include "stages/plan/plan.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 void append(Inputs& inputs, const Inputs& more);
 
@@ -22,4 +22,4 @@ Inputs plane(const RobotSettings* robot);
 Inputs meshes_of(Plan& plan, const RobotSettings& robot);
 std::vector<std::string> looks_of(const RobotSettings& robot);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

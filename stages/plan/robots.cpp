@@ -1,7 +1,7 @@
 // What the robots do: where they draw, their points, and the digits of the arm over these.
 #include "stages/plan/robot_inputs.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 void plan_points(Plan& plan, const RobotSettings& robot, const nlohmann::json& body) {
@@ -148,4 +148,4 @@ void plan_robots(Plan& plan) {
   plan_tuning(plan, "arm", nullptr);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -3,7 +3,7 @@
 
 #include "stages/plan/robot_inputs.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // With none, the arm.
@@ -36,4 +36,4 @@ void plan_shown_robots(Plan& plan) {
   for (const RobotSettings& robot : p.robots) plan_robot(plan, &robot);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -1,6 +1,6 @@
 #include "stages/plan/plan.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 using nlohmann::literals::operator""_json_pointer;
 
@@ -26,4 +26,4 @@ void plan_statistics(Plan& plan) {
             {}});
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -3,7 +3,7 @@
 
 #include "stages/plan/plan.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // A layer's name in a study: what tells it from others of its level, "n10" of "layer2_n10".
@@ -129,4 +129,4 @@ void plan_explorer(Plan& plan) {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -5,7 +5,7 @@
 #include "pipeline/statistics/statistics_file.h"
 #include "reports/readings/study.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 template <class Fields>
 void describe(Fields& f, StudiedReading& s) {
@@ -51,6 +51,6 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Readings taken together", hbr::run); }

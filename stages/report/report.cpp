@@ -9,7 +9,7 @@
 #include "reports/claims/readings.h"
 #include "reports/kept/speed.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 template <class Fields>
 void describe(Fields& f, LayerOfProfile& s) {
@@ -71,7 +71,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "The report of the experiment", hbr::run);

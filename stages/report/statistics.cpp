@@ -5,7 +5,7 @@
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/stage.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct StatisticsSlice {
@@ -32,7 +32,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "Statistics of all replications", hbr::run);

@@ -20,7 +20,7 @@
 #include "stages/layers/read_stack.h"
 #include "stages/robots/robot_tasks.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 constexpr double kTouching = 1e-3;  // m above the lowest place: it touches the floor
@@ -292,7 +292,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "The digits replayed by a robot's servos", hbr::run);

@@ -6,7 +6,7 @@
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct PictureStage {
@@ -71,7 +71,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "Pictures of a robot that draws", hbr::run);

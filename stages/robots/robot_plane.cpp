@@ -17,7 +17,7 @@
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct PlaneStage {
@@ -124,7 +124,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "The drawing plane of a robot", hbr::run);

@@ -10,7 +10,7 @@
 #include "stages/layers/body.h"
 #include "stages/robots/robot_tasks.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct ShapeStage {
@@ -143,7 +143,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "A robot's parts, joints and surfaces for a viewer", hbr::run);

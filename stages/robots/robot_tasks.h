@@ -6,7 +6,7 @@
 
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct TransferTable {
   int starts = 0;
@@ -80,4 +80,4 @@ void describe(Fields& f, DynamicsTable& s) {
            "joints that move less inertia stay locked in the whole body, kg m^2");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -15,7 +15,7 @@
 #include "stages/robots/robot_tasks.h"
 #include "stages/studies/layer_errors.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct TunedSlice : RunTable {
@@ -127,6 +127,6 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "What fine-tuning gains", hbr::run); }

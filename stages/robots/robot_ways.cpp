@@ -7,7 +7,7 @@
 #include "stages/layers/body.h"
 #include "stages/layers/read_stack.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // The rows of digits that get a way of their own.
@@ -106,7 +106,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "The postures along each digit", hbr::run);

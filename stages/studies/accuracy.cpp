@@ -3,7 +3,7 @@
 #include "stages/layers/read_stack.h"
 #include "stages/studies/line_accuracy.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct AccuracySlice : RunTable {
@@ -43,6 +43,6 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Accuracy of the lines", hbr::run); }

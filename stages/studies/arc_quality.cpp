@@ -5,7 +5,7 @@
 #include "pipeline/hierarchy/layers/flat_arcs.h"
 #include "stages/layers/read_stack.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct ArcQualitySlice : RunTable {
@@ -92,7 +92,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "Stored arcs from fresh starts", hbr::run);

@@ -8,7 +8,7 @@
 #include "stages/learned/descriptors.h"
 #include "stages/studies/stroke_turns.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // `stroke_of` is given a genome and its length, and tells the points between which the pen goes.
@@ -58,7 +58,7 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) {
   return hbr::stage_main(argc, argv, "How the digits' strokes turn", hbr::run);

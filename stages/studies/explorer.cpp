@@ -10,7 +10,7 @@
 #include "stages/layers/read_stack.h"
 #include "stages/learned/descriptors.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct ExplorerSlice : RunTable {
@@ -148,6 +148,6 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "What the explorer shows", hbr::run); }

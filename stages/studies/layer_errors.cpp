@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // Command i is given to every execution i * starts, i * starts + 1, ...
@@ -103,4 +103,4 @@ ArcErrors arc_errors(const LayerModel& arcs, const Rows& commands, const Side& o
   return errors;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

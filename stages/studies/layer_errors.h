@@ -9,7 +9,7 @@
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "pipeline/hierarchy/stack.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // A layer of lines or arcs and the points by which it is executed.
 struct Side {
@@ -38,4 +38,4 @@ LineErrors line_errors(const Frame& frame, const Rows& commands, const Side& ori
 ArcErrors arc_errors(const LayerModel& arcs, const Rows& commands, const Side& original, const Side& other,
                      int starts, Seed seed, Workers& workers);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/layers/lines.h"
 #include "pipeline/qd/neighbour_grid.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 using Grid = NeighbourGrid<4>;
@@ -88,4 +88,4 @@ ReferenceErrors squared_reference_errors(const LineRequests& requests, const Poi
   return {squared_errors(requests, to_end), squared_errors(requests, displaced)};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

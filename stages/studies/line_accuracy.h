@@ -8,7 +8,7 @@
 #include "pipeline/hierarchy/layer.h"
 #include "pipeline/hierarchy/point_layer.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 // Displacements wanted [m], each from an elite of layer 1.
 struct LineRequests {
@@ -33,4 +33,4 @@ struct ReferenceErrors {
 ReferenceErrors squared_reference_errors(const LineRequests& requests, const PointLayer& points,
                                          const Frame& frame, const Elites& reference, Workers& workers);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -10,7 +10,7 @@
 #include "stages/layers/images.h"
 #include "stages/layers/read_stack.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 // Per number what its digits are to the judge.
@@ -111,6 +111,6 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Numbers before the judge", hbr::run); }

@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 double angle_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
@@ -54,4 +54,4 @@ std::vector<Eigen::Vector2d> stops_of(const Executor& executor, const float* gen
   return stops;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -8,7 +8,7 @@
 
 #include "pipeline/hierarchy/executor.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct StrokeTurns {
   std::vector<float> turn;          // rad, in (-pi, pi]; to the left is positive
@@ -25,4 +25,4 @@ StrokeTurns stroke_turns(std::span<const Eigen::Vector2d> points, int arc);
 // can't be.
 std::vector<Eigen::Vector2d> stops_of(const Executor& executor, const float* genome, int length);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

@@ -8,7 +8,7 @@
 #include "pipeline/hierarchy/layers/arcs.h"
 #include "stages/layers/read_stack.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 struct SubstitutionSlice : RunTable {};
@@ -56,6 +56,6 @@ void run(StageRun& stage) {
 }
 
 }  // namespace
-}  // namespace hbr
+}  // namespace hbr::inline stages
 
 int main(int argc, char** argv) { return hbr::stage_main(argc, argv, "Substitution of layer 1", hbr::run); }

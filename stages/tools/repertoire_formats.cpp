@@ -14,7 +14,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/qd/places.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the .npy files say so");
@@ -115,4 +115,4 @@ void write_qdax(const StoredRepertoire& repertoire, const std::filesystem::path&
   write_file(folder / "centroids.npy", npy(centroids));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

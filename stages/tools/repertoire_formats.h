@@ -6,7 +6,7 @@
 
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline stages {
 
 struct StoredRepertoire {
   Elites elites;
@@ -26,4 +26,4 @@ std::string pyribs_csv(const StoredRepertoire& repertoire);
 // The folder must not be there.
 void write_qdax(const StoredRepertoire& repertoire, const std::filesystem::path& folder);
 
-}  // namespace hbr
+}  // namespace hbr::inline stages

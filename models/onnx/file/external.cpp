@@ -8,7 +8,7 @@
 #include "models/onnx/file/shown.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 std::uint64_t number_of_bytes(const std::string& key, const std::string& text) {
@@ -74,4 +74,4 @@ std::string ExternalData::read(const std::filesystem::path& folder, const std::s
   return bytes;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

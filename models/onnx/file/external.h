@@ -8,7 +8,7 @@
 
 #include "models/onnx/file/fields.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 struct ExternalData {
   std::string location;  // relative to the network's folder
@@ -24,4 +24,4 @@ struct ExternalData {
                    std::uint64_t expected) const;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

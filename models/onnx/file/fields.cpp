@@ -2,7 +2,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 // Each takes what it reads off the front of `rest`.
@@ -56,4 +56,4 @@ void append_integers(const Field& field, std::vector<std::int64_t>& values) {
     values.push_back(static_cast<std::int64_t>(take_varint(rest)));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

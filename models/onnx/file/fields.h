@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 enum class WireType { varint = 0, eight_bytes = 1, length = 2, four_bytes = 5 };
 
@@ -30,4 +30,4 @@ class FieldReader {
 // Appends the integers of a repeated field, which stand one by one or packed.
 void append_integers(const Field& field, std::vector<std::int64_t>& values);
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

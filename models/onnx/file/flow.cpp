@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 bool reads_shapes_only(const OnnxNode& node) {
@@ -60,4 +60,4 @@ std::vector<FlowTensor> flow(const OnnxModel& model, const std::string& input,
   return tensors;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -6,7 +6,7 @@
 
 #include "models/onnx/file/model.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 struct FlowTensor {
   std::string name;
@@ -20,4 +20,4 @@ struct FlowTensor {
 std::vector<FlowTensor> flow(const OnnxModel& model, const std::string& input,
                              const std::vector<std::string>& ends);
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

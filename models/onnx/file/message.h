@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 class Message {
  public:
@@ -51,4 +51,4 @@ class Message {
   std::string bytes_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

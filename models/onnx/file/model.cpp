@@ -9,7 +9,7 @@
 #include "models/onnx/file/shown.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 OnnxNode read_node(std::string_view bytes) {
@@ -183,4 +183,4 @@ std::string part_of(const OnnxModel& model, const std::vector<std::string>& tens
   return Message().copy(model.head).message(onnx::kGraph, graph).bytes();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 struct OnnxNode {
   std::string name, operation, domain;
@@ -44,4 +44,4 @@ std::vector<const OnnxNode*> needed_nodes(const OnnxModel& model, const std::vec
 std::string part_of(const OnnxModel& model, const std::vector<std::string>& tensors,
                     const std::vector<std::int64_t>& input_shape);
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -1,7 +1,7 @@
 // Field and enumeration numbers of onnx.proto (github.com/onnx/onnx), as many as are read or written here.
 #pragma once
 
-namespace hbr::onnx {
+namespace hbr::inline onnx {
 
 enum ModelField { kIrVersion = 1, kProducer = 2, kGraph = 7, kOperatorSets = 8, kMetadata = 14 };
 enum GraphField {
@@ -69,4 +69,4 @@ enum TensorTypeField { kElement = 1, kShape = 2 };
 enum ShapeField { kDimension = 1 };
 enum DimensionField { kSize = 1, kSizeName = 2 };
 
-}  // namespace hbr::onnx
+}  // namespace hbr::inline onnx

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string>
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 inline std::string shown(std::string name) {
   constexpr std::size_t kLongest = 200;
@@ -15,4 +15,4 @@ inline std::string shown(std::string name) {
   return name;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

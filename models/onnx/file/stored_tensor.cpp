@@ -10,7 +10,7 @@
 #include "models/onnx/file/shown.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 float from_half(std::uint16_t half) {
@@ -143,4 +143,4 @@ std::string to_floats(std::int64_t type, std::string_view raw) {
   return converted<double>(raw, [](double number) { return static_cast<float>(number); });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -10,7 +10,7 @@
 #include "models/onnx/file/external.h"
 #include "models/onnx/file/message.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 // A TensorProto: its parts that matter here, and all other fields as they stand.
 struct StoredTensor {
@@ -42,4 +42,4 @@ constexpr std::uint64_t kMaxWeightBytes = 0x7fffffff;  // protobuf's own limit
 bool is_converted(std::int64_t type);
 std::string to_floats(std::int64_t type, std::string_view raw);
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

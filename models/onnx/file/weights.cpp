@@ -12,7 +12,7 @@
 #include "models/onnx/file/stored_tensor.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline onnx {
 namespace {
 
 class Rewriter {
@@ -167,4 +167,4 @@ std::vector<std::filesystem::path> weight_files(const std::filesystem::path& fil
   return found;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

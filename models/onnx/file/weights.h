@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline onnx {
 
 // The content of the ONNX file `file` with all weights in it and real ones as float32: what stands in files
 // beside it ("external data") is put in, float16, bfloat16 and double are converted. Unchanged where there is
@@ -17,4 +17,4 @@ std::string plain_weights(std::string_view model, const std::filesystem::path& f
 // The files beside `file` that hold weights of it, in order; none where it can't be read.
 std::vector<std::filesystem::path> weight_files(const std::filesystem::path& file);
 
-}  // namespace hbr
+}  // namespace hbr::inline onnx

@@ -6,7 +6,7 @@
 #include "models/robot/body/simbody_system.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // What keeps the parts from moving by forces, but for the one that stands still.
@@ -182,4 +182,4 @@ MovingParts Body::moving_parts() const {
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -18,7 +18,7 @@
 #include "models/robot/body/moving_parts.h"
 #include "models/robot/description/robot_model.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct SystemPlan;
 
@@ -89,4 +89,4 @@ class Body {
   std::unique_ptr<Pool> pool_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

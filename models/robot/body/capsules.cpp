@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // A capsule about a box: along its longest edge, as thick as the mean of the other two.
@@ -89,4 +89,4 @@ double squared_distance(const Capsule& first, const Capsule& second) {
   return (r + s * u - t * v).squaredNorm();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "models/robot/description/robot_model.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // All that is within `radius` of the segment from `middle` - `half` to `middle` + `half`, m, in the frame of
 // its link.
@@ -28,4 +28,4 @@ std::vector<Capsule> capsules_of(const RobotModel& model, int link);
 // Least squared distance between the segments of two capsules in one frame, m^2.
 double squared_distance(const Capsule& a, const Capsule& b);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

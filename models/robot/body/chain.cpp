@@ -6,7 +6,7 @@
 
 #include "pipeline/core/random.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 using Coordinates = std::vector<double>;
@@ -174,4 +174,4 @@ std::vector<Eigen::Vector3d> reached_points(const Chain& chain, int n) {
   return points;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

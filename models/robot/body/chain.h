@@ -7,7 +7,7 @@
 
 #include "models/robot/description/robot_model.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The joints that move a link without children.
 struct Chain {
@@ -42,4 +42,4 @@ double farthest_reach(const Chain& chain, int starts = 30);
 // The tip in n postures at random within the limits, every coordinate evenly; in the root link's frame.
 std::vector<Eigen::Vector3d> reached_points(const Chain& chain, int n);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

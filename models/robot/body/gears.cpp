@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kSweeps = 10000;
@@ -72,4 +72,4 @@ void Motors::follow(const Motion& motion, const Eigen::VectorXd& torques,
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -3,7 +3,7 @@
 
 #include "models/robot/body/motion.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // One value for each joint of a body; 0 where there is none, empty arrays where no joint has any.
 struct Gears {
@@ -55,4 +55,4 @@ class Motors {
   Eigen::ArrayXi side_;  // of the gear that the motor touches: -1, 0 for none, 1
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 std::vector<double> times_at_pace(const std::vector<float>& pen, const std::vector<double>& joints,
                                   double pace, double joint_pace) {
@@ -53,4 +53,4 @@ JointPath::Point JointPath::at(double time) const {
   return {points * position / 6, points * velocity / (2 * h), points * acceleration / (h * h)};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

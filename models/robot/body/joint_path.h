@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // When a movement passes its way-points, seconds from 0: between two of them the pen keeps the pace [m/s] and
 // no joint turns faster than joint_pace [rad/s] on the average. pen [n x 2] in metres, joints [n x dof] in
@@ -35,4 +35,4 @@ class JointPath {
   double smoothing_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

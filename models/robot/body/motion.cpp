@@ -2,7 +2,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 Motion::Motion(const Body& body, Eigen::VectorXd joints, Eigen::VectorXd speeds,
                const Eigen::Vector3d& gravity)
@@ -34,4 +34,4 @@ Eigen::VectorXd Motion::spring_torques(const Springs& springs, const Eigen::Vect
   return stretched - by_speed.cwiseProduct(speeds);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

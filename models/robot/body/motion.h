@@ -3,7 +3,7 @@
 
 #include "models/robot/body/body.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 inline const Eigen::Vector3d kGravity(0, 0, -9.80665);  // m/s^2: the root link's z points up
 
@@ -38,4 +38,4 @@ class Motion {
   Equations equations_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

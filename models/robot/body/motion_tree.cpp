@@ -1,6 +1,6 @@
 #include "models/robot/body/motion_tree.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Six-dimensional vectors about the origin of the ground's frame: of motion, the velocity of the body and
 // that of its point at the origin; of force, the moment about the origin and the force.
@@ -206,4 +206,4 @@ Wrench MotionTree::reaction(const Eigen::VectorXd& joints, const Eigen::VectorXd
   return {all.turning, all.straight};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -9,7 +9,7 @@
 
 #include "models/robot/description/parts.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // mass * accelerations + bias = torques: what a body obeys at its joints and speeds. The bias are the torques
 // that hold it against gravity and against centrifugal and Coriolis forces.
@@ -77,4 +77,4 @@ class MotionTree {
   Eigen::Index dof_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -6,7 +6,7 @@
 
 #include "models/robot/description/parts.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Links that move as one. Part 0 stands still, in the root link's frame. Another part's frame in its parent's
 // is
@@ -26,4 +26,4 @@ struct MovingParts {
   std::vector<Parts::Place> places;  // of each link of the model
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -10,7 +10,7 @@
 
 #include "models/robot/description/masses.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 const char* word(Joint::Kind kind) {
@@ -95,4 +95,4 @@ std::vector<std::string> oddities(const RobotModel& model, double size) {
   return odd;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

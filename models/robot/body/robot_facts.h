@@ -6,7 +6,7 @@
 
 #include "models/robot/description/robot_model.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // One row for each joint: name, type, links, axis, limits, velocity, effort, what it follows.
 std::string joint_table(const RobotModel& model);
@@ -15,4 +15,4 @@ std::string joint_table(const RobotModel& model);
 // lengths in another unit. `size` is the whole robot's, m.
 std::vector<std::string> oddities(const RobotModel& model, double size);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

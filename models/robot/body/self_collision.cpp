@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 bool touch(const Capsule& a, const Capsule& b) {
@@ -43,4 +43,4 @@ bool SelfCollision::collides(const std::vector<Eigen::Isometry3d>& poses) const 
   return std::ranges::any_of(pairs_, [&](const Pair& pair) { return touch(placed[pair.a], placed[pair.b]); });
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -6,7 +6,7 @@
 #include "models/robot/body/body.h"
 #include "models/robot/body/capsules.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 class SelfCollision {
  public:
@@ -26,4 +26,4 @@ class SelfCollision {
   std::vector<Pair> pairs_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

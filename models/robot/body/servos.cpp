@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // The path's state in the body's coordinates; what does not draw stays.
@@ -198,4 +198,4 @@ std::vector<std::string> joints_with_inertia(const RobotModel& model,
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

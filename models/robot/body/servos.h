@@ -9,7 +9,7 @@
 #include "models/robot/body/motion.h"
 #include "models/robot/body/support.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct ServoSettings {
   double step = 0;        // of the integration, s
@@ -66,4 +66,4 @@ Fastest fastest(const Body& body, const JointPath& path, const std::vector<int>&
 std::vector<std::string> joints_with_inertia(const RobotModel& model,
                                              const std::map<std::string, double>& rest, double least);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

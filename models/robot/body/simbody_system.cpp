@@ -1,6 +1,6 @@
 #include "models/robot/body/simbody_system.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 SimTK::Transform transform(const Eigen::Isometry3d& t) {
@@ -78,4 +78,4 @@ void SimbodySystem::pose(const SystemPlan& plan, const double* joints) {
   system.realize(state, SimTK::Stage::Position);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

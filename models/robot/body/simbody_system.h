@@ -9,7 +9,7 @@
 
 #include "models/robot/description/parts.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 inline SimTK::Vec3 vec3(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 inline Eigen::Vector3d eigen(const SimTK::Vec3& v) { return {v[0], v[1], v[2]}; }
@@ -42,4 +42,4 @@ struct SimbodySystem {
                                 int to);
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -6,7 +6,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -71,4 +71,4 @@ double needed_grip(const Wrench& reaction) {
                                 : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "models/robot/body/motion_tree.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The sole at rest: the convex hull of the places that touch the level floor.
 class Support {
@@ -36,4 +36,4 @@ class Support {
 // infinity where the ground would have to pull.
 double needed_grip(const Wrench& reaction);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ std::vector<fs::path> mesh_files(const RobotModel& model, const fs::path& folder
   return files;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 
 #include "models/robot/description/robot_model.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct FoundMesh {
   std::filesystem::path path;
@@ -26,4 +26,4 @@ FoundMesh find_mesh(const std::string& name, const std::filesystem::path& urdf,
 // OBJ's materials, a glTF's buffers), each once, in the order of the links. What is missing is left out.
 std::vector<std::filesystem::path> mesh_files(const RobotModel& model, const std::filesystem::path& folder);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 
 #include "models/robot/description/parts.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 using Kind = MassFault::Kind;
@@ -81,4 +81,4 @@ std::vector<std::string> mass_oddities(const RobotModel& model) {
   return odd;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

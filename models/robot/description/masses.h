@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct RobotModel;
 
@@ -36,4 +36,4 @@ Eigen::Matrix3d nearest_possible(const Eigen::Matrix3d& inertia);
 // refused.
 std::vector<std::string> mass_oddities(const RobotModel& model);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // The coordinate of every joint, -1 for one that does not move.
@@ -94,4 +94,4 @@ Parts join_parts(const RobotModel& model, const std::vector<std::string>& moving
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -9,7 +9,7 @@
 #include "models/robot/description/masses.h"
 #include "models/robot/description/robot_model.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Links that move as one, in the frame of the link nearest to the root.
 struct Part {
@@ -40,4 +40,4 @@ struct Parts {
 Parts join_parts(const RobotModel& model, const std::vector<std::string>& moving,
                  const std::map<std::string, double>& rest);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 template <class Items>
@@ -39,4 +39,4 @@ std::vector<std::string> RobotModel::independent_joints() const {
   return names;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

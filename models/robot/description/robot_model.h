@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct Inertial {
   double mass;              // kg, > 0
@@ -74,4 +74,4 @@ struct RobotModel {
 // one tree, and joints that follow each other in a loop.
 RobotModel load_urdf(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

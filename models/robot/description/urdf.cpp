@@ -8,7 +8,7 @@
 #include "models/robot/description/urdf_tree.h"
 #include "models/robot/description/utf8.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // One line of no more than a thousand bytes: names and values of the file may hold anything.
@@ -63,4 +63,4 @@ RobotModel load_urdf(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

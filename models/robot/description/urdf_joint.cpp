@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 Joint::Kind kind_of(UrdfText& text, const XMLElement& joint) {
@@ -137,4 +137,4 @@ void link_mimics(UrdfText& text, const std::vector<const XMLElement*>& elements,
   }
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -4,7 +4,7 @@
 #include "models/robot/description/robot_model.h"
 #include "models/robot/description/urdf_text.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Without its links and what it follows. What cannot move as it says stands still, and and text.odd gets a
 // line. Throws InputError for a type that no URDF has.
@@ -16,4 +16,4 @@ Joint read_joint(UrdfText& text, const XMLElement& joint);
 // each other in a loop.
 void link_mimics(UrdfText& text, const std::vector<const XMLElement*>& elements, std::vector<Joint>& joints);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // Nothing where the material names no colour that is one.
@@ -96,9 +96,10 @@ void read_inertial(UrdfText& text, const XMLElement& element, Link& link) {
   const XMLElement *mass = element.FirstChildElement("mass"), *inertia = element.FirstChildElement("inertia");
   Inertial out{text.number(mass, "value", 0, kMostWeight), {}, {}};
   const auto moment = [&](const char* name) { return text.number(inertia, name, 0, kMostWeight); };
-  out.inertia << moment("ixx"), moment("ixy"), moment("ixz"),  //
-      moment("ixy"), moment("iyy"), moment("iyz"),             //
-      moment("ixz"), moment("iyz"), moment("izz");
+  // Read before they are put in: Eigen's list of coefficients may not be left by an exception.
+  const double xx = moment("ixx"), xy = moment("ixy"), xz = moment("ixz"), yy = moment("iyy"),
+               yz = moment("iyz"), zz = moment("izz");
+  out.inertia << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   const Eigen::Isometry3d frame = text.origin(element);
   out.centre = frame.translation();
   out.inertia = (frame.linear() * out.inertia * frame.linear().transpose()).eval();
@@ -147,4 +148,4 @@ Link read_link(UrdfText& text, const XMLElement& element, const Colours& colours
   return link;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

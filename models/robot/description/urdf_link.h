@@ -6,7 +6,7 @@
 #include "models/robot/description/robot_model.h"
 #include "models/robot/description/urdf_text.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct Colours {
   std::map<const XMLElement*, Eigen::Vector3f> own;  // of each <material> that names one
@@ -17,4 +17,4 @@ Colours read_colours(UrdfText& text);
 // What cannot be shown or weighed is left out, and text.odd gets a line.
 Link read_link(UrdfText& text, const XMLElement& link, const Colours& colours);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

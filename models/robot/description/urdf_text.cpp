@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // "XML_ERROR_MISMATCHED_ELEMENT": "mismatched element".
@@ -129,4 +129,4 @@ Eigen::Isometry3d UrdfText::origin(const XMLElement& element) const {
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

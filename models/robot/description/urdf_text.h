@@ -10,7 +10,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 using tinyxml2::XMLElement;
 
@@ -74,4 +74,4 @@ class UrdfText {
 // The finite numbers of a text, which blanks or line breaks separate; empty where it holds anything else.
 std::vector<double> numbers_in(std::string_view text);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -2,7 +2,7 @@
 
 #include <fmt/ranges.h>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // Elements of the robot by their names.
@@ -106,4 +106,4 @@ UrdfTree read_tree(const UrdfText& text) {
   return Tree(text).ordered();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

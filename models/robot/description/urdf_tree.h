@@ -7,7 +7,7 @@
 
 #include "models/robot/description/urdf_text.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct UrdfTree {
   struct Node {
@@ -21,4 +21,4 @@ struct UrdfTree {
 // Throws InputError unless the links are one tree, with names of its own for each link and joint.
 UrdfTree read_tree(const UrdfText& text);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

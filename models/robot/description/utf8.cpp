@@ -10,7 +10,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 using namespace std::string_view_literals;
@@ -92,4 +92,4 @@ std::string utf8_of_xml(const std::string& path, const std::string& bytes, std::
   return converted(unmarked(bytes), "ISO-8859-1")->text;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

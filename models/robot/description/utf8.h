@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The contents of an XML file in UTF-8, without a byte-order mark: converted from what the mark, the pattern
 // of its first bytes or its declaration says (by iconv). What is not in the encoding that it should be in is
@@ -12,4 +12,4 @@ namespace hbr {
 // where UTF-16 or UTF-32 breaks off or an encoding is unknown here.
 std::string utf8_of_xml(const std::string& path, const std::string& bytes, std::vector<std::string>& odd);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -2,7 +2,7 @@
 
 #include "models/robot/looks/shapes.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 Posed framed_board(const std::string& name, const Board& board, const Eigen::Vector3f& colour) {
   const double half = board.plane.scale * board.half_side, rail = half / 60;
@@ -20,4 +20,4 @@ Posed framed_board(const std::string& name, const Board& board, const Eigen::Vec
   return framed;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "models/robot/looks/triangles.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 Camera camera_for(const Scene& scene, const Eigen::Vector3d& direction, double view_rad, double aspect) {
   const std::vector<Triangle> solid = triangles_of(scene.bodies, true);
@@ -28,4 +28,4 @@ Camera camera_for(const Scene& scene, const Eigen::Vector3d& direction, double v
   return {eye, eye + direction.normalized(), view_rad};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "models/robot/looks/mesh_file.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct Scene {
   std::vector<Posed> bodies;  // what is seen through is convex and casts no shadow
@@ -20,4 +20,4 @@ struct Camera {
 // A camera that looks along `direction` at everything in the scene, which fills the picture but for a margin.
 Camera camera_for(const Scene& scene, const Eigen::Vector3d& direction, double view_rad, double aspect);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

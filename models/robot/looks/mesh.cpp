@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 void smooth_normals(Mesh& mesh) {
   mesh.normals.assign(mesh.vertices.size(), Eigen::Vector3f::Zero());
@@ -56,4 +56,4 @@ Mesh mirrored(Mesh mesh) {
   return mesh;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;     // m
@@ -25,4 +25,4 @@ Mesh coloured(Mesh mesh, const Eigen::Vector3f& colour);
 // Seen in the mirror of the x-z plane (left becomes right).
 Mesh mirrored(Mesh mesh);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

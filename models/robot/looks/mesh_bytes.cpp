@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 template <class Item>
@@ -56,4 +56,4 @@ std::vector<Mesh> unpacked(const std::string& what, const std::string& bytes) {
   return meshes;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

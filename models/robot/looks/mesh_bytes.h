@@ -6,7 +6,7 @@
 
 #include "models/robot/looks/mesh.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 std::string packed(const std::vector<Mesh>& meshes);
 
@@ -14,4 +14,4 @@ std::string packed(const std::vector<Mesh>& meshes);
 // where the bytes are no meshes, or a triangle names a vertex that is not there.
 std::vector<Mesh> unpacked(const std::string& what, const std::string& bytes);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

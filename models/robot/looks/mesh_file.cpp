@@ -15,7 +15,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/process/own_process.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 namespace fs = std::filesystem;
@@ -227,4 +227,4 @@ void save_scene(const fs::path& path, const std::string& format, const std::vect
     throw InputError("{}: can't be written: {}", path.string(), exporter.GetErrorString());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -8,7 +8,7 @@
 #include "models/robot/description/robot_model.h"
 #include "models/robot/looks/mesh.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // All triangles of a file, one mesh for each of its materials, multiplied by `scale`; what has no material of
 // its own is `uncoloured`. The axes of a glTF and of a DAE stay as they are; a DAE's <unit> counts. Throws
@@ -35,4 +35,4 @@ struct Posed {
 void save_scene(const std::filesystem::path& path, const std::string& format,
                 const std::vector<Posed>& bodies);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

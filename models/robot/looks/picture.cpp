@@ -7,7 +7,7 @@
 #include "models/robot/looks/shapes.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 const Eigen::Vector3f kInk(0.86f, 0.22f, 0.12f), kGlass(0.80f, 0.90f, 0.95f), kFrame(0.55f, 0.60f, 0.66f);
@@ -119,4 +119,4 @@ Eigen::Vector3d view_from_front(const DrawingPlane& plane) {
 
 Eigen::Vector3d view_over_shoulder(const DrawingPlane& plane) { return level_view(plane, 0, 0.20); }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -4,7 +4,7 @@
 #include "models/robot/looks/render.h"
 #include "models/robot/plane/robot_on_plane.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // What was drawn: joints [m x dof] in radians, row-major, and the pen there [m], metres of the arm.
 struct DrawnStroke {
@@ -23,4 +23,4 @@ Scene drawing_scene(const RobotOnPlane& robot, const std::vector<std::vector<Mes
 Eigen::Vector3d view_from_front(const DrawingPlane& plane);
 Eigen::Vector3d view_over_shoulder(const DrawingPlane& plane);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Where a vertex falls on the picture: pixels, and a depth that grows away from the viewer. `weight` is
 // 1 / distance for a perspective (what is interpolated must be divided by it), 1 for a parallel projection.
@@ -52,4 +52,4 @@ struct DepthBuffer {
   float at(int column, int row) const { return const_cast<DepthBuffer&>(*this).at(column, row); }
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kColours = 24;
@@ -51,4 +51,4 @@ Posed reach_cloud(const Chain& chain, int postures, double extent) {
   return cloud;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -4,7 +4,7 @@
 #include "models/robot/body/chain.h"
 #include "models/robot/looks/camera.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Places of the chain's tip in postures at random, as points that are seen through: the more postures come to
 // a place, the denser it looks; blue at the chain's first joint, then green, yellow, and red as far away as
@@ -12,4 +12,4 @@ namespace hbr {
 // frame.
 Posed reach_cloud(const Chain& chain, int postures, double extent);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

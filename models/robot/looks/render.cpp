@@ -6,7 +6,7 @@
 #include "models/robot/looks/shade.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 using Eigen::Vector3f;
@@ -163,4 +163,4 @@ void write_png(const std::filesystem::path& path, const cv::Mat3b& picture) {
   if (!written) throw InputError("{}: the picture can't be written", path.string());
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -6,7 +6,7 @@
 
 #include "models/robot/looks/camera.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // 8-bit, blue-green-red, as OpenCV has it. Same scene, same bytes.
 cv::Mat3b render(const Scene& scene, const Camera& camera, int width, int height);
@@ -14,4 +14,4 @@ cv::Mat3b render(const Scene& scene, const Camera& camera, int width, int height
 // Throws InputError where the file can't be written.
 void write_png(const std::filesystem::path& path, const cv::Mat3b& picture);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 void append(Mesh& to, const Mesh& mesh) {
@@ -49,4 +49,4 @@ RobotShape shape_of(const Body& body, const std::vector<std::vector<Mesh>>& mesh
   return shape;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

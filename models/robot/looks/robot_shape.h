@@ -5,7 +5,7 @@
 #include "models/robot/body/body.h"
 #include "models/robot/looks/simplify.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct RobotShape {
   struct Piece {
@@ -21,4 +21,4 @@ struct RobotShape {
 RobotShape shape_of(const Body& body, const std::vector<std::vector<Mesh>>& meshes, std::size_t triangles,
                     double enough, Workers& workers);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

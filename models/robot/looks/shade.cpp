@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 Eigen::Vector3f shade(const Triangle& t, const Eigen::Vector3f& p, Eigen::Vector3f n,
                       const Eigen::Vector3f& eye, const Lights& lights, const ShadowMap& shadow,
@@ -34,4 +34,4 @@ Eigen::Vector3f background(const Eigen::Vector3f& eye, const Eigen::Vector3f& ra
   return base * (1 - 0.42f * fade * (1 - shadow.lit(p, 0.028f, 0.003f, jitter)));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -3,7 +3,7 @@
 
 #include "models/robot/looks/shadow_map.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Directions towards the lights; the key light casts shadows.
 struct Lights {
@@ -20,4 +20,4 @@ Eigen::Vector3f background(const Eigen::Vector3f& eye, const Eigen::Vector3f& ra
                            const Eigen::Vector3f& centre, float radius, const ShadowMap& shadow,
                            const Eigen::Vector2f& jitter);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kShadowSize = 2048;
@@ -47,4 +47,4 @@ Projected ShadowMap::project(const Eigen::Vector3f& p) const {
   return {q[0] * per_metre_ + kShadowSize / 2, q[1] * per_metre_ + kShadowSize / 2, q[2], 1};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

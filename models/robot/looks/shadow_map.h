@@ -6,7 +6,7 @@
 #include "models/robot/looks/raster.h"
 #include "models/robot/looks/triangles.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // What a parallel light sees: a point is in shadow where something else stands nearer to the light.
 class ShadowMap {
@@ -29,4 +29,4 @@ class ShadowMap {
   DepthBuffer map_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kBetween = 6;  // rings from one section to the next
@@ -138,4 +138,4 @@ Mesh rod(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius) {
   return moved(capsule(radius, along.norm()), pose);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 
 #include "models/robot/looks/mesh.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // A cross-section at height z: the superellipse |x / half_x|^power + |y / half_y|^power = 1 about the centre;
 // power 2 is an ellipse, large powers come near to a rectangle.
@@ -36,4 +36,4 @@ Mesh torus(double radius, double tube);
 // A capsule from a to b.
 Mesh rod(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

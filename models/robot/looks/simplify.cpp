@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr std::size_t kStride = sizeof(Eigen::Vector3f);
@@ -124,4 +124,4 @@ Simplified simplified(const std::vector<Mesh>& meshes, std::size_t triangles, do
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 #include "models/robot/looks/mesh.h"
 #include "pipeline/core/parallel.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct Simplified {
   std::vector<Mesh> meshes;  // one of each, in their order
@@ -20,4 +20,4 @@ struct Simplified {
 Simplified simplified(const std::vector<Mesh>& meshes, std::size_t triangles, double enough,
                       Workers& workers);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

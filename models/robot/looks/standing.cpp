@@ -1,6 +1,6 @@
 #include "models/robot/looks/standing.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 std::vector<Eigen::Vector3d> shape_corners(const Body& body, const std::vector<std::vector<Mesh>>& meshes,
                                            const Eigen::VectorXd& joints) {
@@ -13,4 +13,4 @@ std::vector<Eigen::Vector3d> shape_corners(const Body& body, const std::vector<s
   return corners;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -6,11 +6,11 @@
 #include "models/robot/body/body.h"
 #include "models/robot/looks/mesh.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The corners of every link's shapes (meshes by link, visible_links.h) at these joints [dof], m, in the frame
 // that Body's places have.
 std::vector<Eigen::Vector3d> shape_corners(const Body& body, const std::vector<std::vector<Mesh>>& meshes,
                                            const Eigen::VectorXd& joints);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 float to_linear(float c) { return std::pow(c, 2.2f); }
@@ -47,4 +47,4 @@ Eigen::Matrix3f axes_along(const Eigen::Vector3f& forward) {
   return m;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

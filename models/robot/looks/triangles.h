@@ -5,7 +5,7 @@
 
 #include "models/robot/looks/mesh_file.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Light is linear; pictures are sRGB.
 Eigen::Vector3f to_linear(const Eigen::Vector3f& colour);
@@ -22,4 +22,4 @@ std::vector<Triangle> triangles_of(const std::vector<Posed>& bodies, bool solid)
 // Rows: right, down, forward.
 Eigen::Matrix3f axes_along(const Eigen::Vector3f& forward);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -8,7 +8,7 @@
 #include "models/robot/looks/shapes.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // From a link's frame to those of its children.
@@ -58,4 +58,4 @@ std::vector<std::vector<Mesh>> visible_links(const RobotModel& model, const std:
   return meshes;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

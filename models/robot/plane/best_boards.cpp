@@ -3,7 +3,7 @@
 #include "models/robot/plane/search_plane.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kAcross = 11;  // points of a board in a row
@@ -59,4 +59,4 @@ const char* board_kind_name(BoardKind kind) {
   return kind == BoardKind::level ? "level" : kind == BoardKind::upright ? "upright" : "leaning";
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

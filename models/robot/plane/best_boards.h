@@ -10,7 +10,7 @@
 #include "models/robot/plane/board_rules.h"
 #include "pipeline/core/parallel.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct KindOfBoard {
   BoardKind kind;
@@ -26,4 +26,4 @@ std::vector<KindOfBoard> best_boards(const RobotModel& model, const std::vector<
 
 const char* board_kind_name(BoardKind kind);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

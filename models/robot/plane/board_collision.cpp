@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 using Lattice = Eigen::Matrix<double, kDirections, 3>;
@@ -87,4 +87,4 @@ Directions BoardCollision::free(const std::vector<Eigen::Isometry3d>& poses) con
   return result;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -8,7 +8,7 @@
 #include "models/robot/body/capsules.h"
 #include "models/robot/plane/drawing_plane.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The square of the arm's drawing area [-half_side, half_side]^2, m of the arm, on a robot's plane.
 struct Board {
@@ -45,4 +45,4 @@ class BoardCollision {
   std::vector<Capsule> still_;  // in the root link's frame
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

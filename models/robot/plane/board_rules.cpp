@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr double kSteep = 20 * std::numbers::pi / 180,
@@ -94,4 +94,4 @@ double BoardRules::worth(const Board& board) const {
   return board.plane.scale * liked * (clearance_.pierced(board) ? 0.5 : 1);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

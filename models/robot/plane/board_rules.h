@@ -7,7 +7,7 @@
 
 #include "models/robot/plane/clearance.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // By the angle between a board's normal and the vertical: level up to 20 degrees, upright from 70 on.
 enum class BoardKind { any, level, upright, leaning };
@@ -48,4 +48,4 @@ class BoardRules {
   double floor_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -4,7 +4,7 @@
 #include "models/robot/body/self_collision.h"
 #include "models/robot/plane/board_collision.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 class Clearance {
  public:
@@ -37,4 +37,4 @@ class Clearance {
   BoardCollision board_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 
 #include "pipeline/hierarchy/robot.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 struct DrawingPlane {
   Eigen::Vector3d origin;  // m: where the arm's base comes to lie
@@ -32,4 +32,4 @@ struct DrawingPlane {
   }
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

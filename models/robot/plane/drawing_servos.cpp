@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 ReplayErrors replay_errors(const Replay& replay, const DrawingPlane& plane) {
   double sum = 0;
@@ -63,4 +63,4 @@ std::shared_ptr<const Body> whole_body(const RobotModel& model, const RobotSetti
   return std::make_shared<const Body>(model, joints, robot.rest(), robot.stands_on);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -8,7 +8,7 @@
 #include "models/robot/body/servos.h"
 #include "models/robot/plane/robot_on_plane.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // How far a replay's tip is from where it should be, m: by root mean square, at most; and at most off the
 // plane.
@@ -50,4 +50,4 @@ class DrawingServos {
 // where those that draw are all that there is.
 std::shared_ptr<const Body> whole_body(const RobotModel& model, const RobotSettings& robot, double lightest);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -6,7 +6,7 @@
 #include "models/robot/plane/reach.h"
 #include "pipeline/hierarchy/joints.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kNear = 4, kAnywhere = 8;  // starts
@@ -95,4 +95,4 @@ void fill_gaps(const RobotOnPlane& robot, const Frame& frame, const Rows& points
   Gaps(robot, frame, points, spacing).fill(elites, seed);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

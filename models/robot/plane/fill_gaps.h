@@ -4,7 +4,7 @@
 #include "models/robot/plane/points_on_plane.h"
 #include "pipeline/core/random.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Gives each of the points [n x 2] (descriptors) that has no elite within `spacing` one of its own, where the
 // robot comes there to within its tolerance and clear of itself and of its board. First from the nearest
@@ -13,4 +13,4 @@ namespace hbr {
 void fill_gaps(const RobotOnPlane& robot, const Frame& frame, const Rows& points, float spacing,
                Elites& elites, Seed seed);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

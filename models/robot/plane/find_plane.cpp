@@ -8,7 +8,7 @@
 #include "models/robot/plane/search_plane.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr double kLarge = 1.03, kSmall = 1.01;  // steps of the scale
@@ -75,4 +75,4 @@ FoundPlane find_plane(const Body& body, const BoardRules& rules, const ReachMap&
   return best;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -9,7 +9,7 @@
 #include "models/robot/plane/reach_map.h"
 #include "models/robot/plane/robot_settings.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // A board and what of the points (drawing frame, m) the tip comes to there, within a tolerance.
 struct FoundPlane {
@@ -31,4 +31,4 @@ FoundPlane find_plane(const Body& body, const BoardRules& rules, const ReachMap&
                       const std::vector<Eigen::Vector2d>& points, double half_side, double tolerance,
                       const PlaneSearchSettings& settings, Workers& workers);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

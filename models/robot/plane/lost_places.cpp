@@ -1,6 +1,6 @@
 #include "models/robot/plane/lost_places.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kStarts = 8;  // of inverse kinematics
@@ -25,4 +25,4 @@ Lacks lacks_along(const RobotOnPlane& robot, const PointLayer& points, const Rea
   return lacks;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

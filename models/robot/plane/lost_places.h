@@ -8,7 +8,7 @@
 #include "models/robot/plane/robot_on_plane.h"
 #include "pipeline/hierarchy/point_layer.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // `gap`: the robot comes there, but layer 1 has no elite within l of it. `collision`: it would have to pass
 // through itself or its board. `limit`: its joints do not go so far.
@@ -19,4 +19,4 @@ using Lacks = std::array<int, 4>;
 Lacks lacks_along(const RobotOnPlane& robot, const PointLayer& points, const Reach& reach,
                   const std::vector<Eigen::Vector2d>& places, double l);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr std::array<const char*, 9> kRegions = {"the lower left", "the bottom", "the lower right",
@@ -62,4 +62,4 @@ std::string missing_part(const std::vector<Eigen::Vector2d>& points, const std::
   return words;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // "the lower left: 37 of 5 000 points, up to 12 mm away", the fullest of nine regions first, three at most
 // ("elsewhere: 12" for the others); "" where no distance (m) exceeds the tolerance. The regions are the
@@ -13,4 +13,4 @@ namespace hbr {
 std::string missing_part(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& distances,
                          double tolerance);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

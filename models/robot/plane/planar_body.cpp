@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr double kThickness = 0.012, kWidth = 0.028;  // m, of a link
@@ -67,4 +67,4 @@ RobotOnPlane planar_body(const std::vector<double>& links, double limit) {
                       {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(), 1});
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -5,7 +5,7 @@
 #include "models/robot/plane/missing_part.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr const char* kAxes[3] = {"_x", "_y", "_z"};
@@ -58,4 +58,4 @@ DrawingPlane load_plane(const std::filesystem::path& path) {
   return plane;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 #include "models/robot/plane/drawing_plane.h"
 #include "pipeline/artifact/hdf5_file.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The plane, and for each of the arm's points (drawing frame, m) how far from its place on the plane the
 // robot stays (metres of the robot); it counts as reached within `tolerance`. Returns the share reached.
@@ -17,4 +17,4 @@ double write_plane(Hdf5Writer& file, const DrawingPlane& plane, const std::vecto
 // Throws InputError where the file does not hold a plane: axes of unit length at right angles, scale above 0.
 DrawingPlane load_plane(const std::filesystem::path& path);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

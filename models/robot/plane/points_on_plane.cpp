@@ -5,7 +5,7 @@
 #include "models/robot/plane/project_onto_plane.h"
 #include "pipeline/hierarchy/joints.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 Eigen::VectorXd joints_of(const RobotOnPlane& robot, const Elites& elites, Eigen::Index row) {
@@ -49,4 +49,4 @@ PointErrors point_errors(const RobotOnPlane& robot, const Eigen::Vector3d& place
           joint_variance(joints.data(), robot.dof())};
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

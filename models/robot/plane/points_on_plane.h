@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/frame.h"
 #include "pipeline/qd/elites.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Where an elite's descriptor [2] is, m, in the root link's frame.
 Eigen::Vector3d place_of(const RobotOnPlane& robot, const Frame& frame, const Elites& elites,
@@ -29,4 +29,4 @@ struct PointErrors {
 PointErrors point_errors(const RobotOnPlane& robot, const Eigen::Vector3d& place,
                          const Eigen::VectorXd& joints);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -8,7 +8,7 @@
 
 #include "models/robot/plane/solver.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kNear = 64;             // elites from which a place's inverse solutions start
@@ -239,4 +239,4 @@ std::vector<double> least_travel(const RobotOnPlane& robot, const PointLayer& po
   return trace.points() < 2 ? trace.joints : PosturePath(robot, points, trace).smoothest();
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -9,7 +9,7 @@
 #include "pipeline/hierarchy/point_layer.h"
 #include "pipeline/hierarchy/trace.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // How far the joints turn along configurations [n x dof], row-major: the sum of Euclidean distances, rad.
 double joint_travel(const std::vector<double>& joints, Eigen::Index dof);
@@ -24,4 +24,4 @@ double joint_travel(const std::vector<double>& joints, Eigen::Index dof);
 // trace's own way.
 std::vector<double> least_travel(const RobotOnPlane& robot, const PointLayer& points, const Trace& trace);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

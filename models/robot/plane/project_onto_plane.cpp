@@ -4,7 +4,7 @@
 
 #include "models/robot/plane/solver.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr double kUnit = 1e-4;  // m
@@ -70,4 +70,4 @@ Eigen::VectorXd project_onto_plane(const RobotOnPlane& robot, const Eigen::Vecto
   return distance(joints) <= distance(start) ? joints : start;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -3,7 +3,7 @@
 
 #include "models/robot/plane/robot_on_plane.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The configuration near `start` [dof] whose tip comes to `target` (m, the root link's frame) within the
 // joints' limits, with as little variance about their mean as a chain with joints to spare allows: bounded
@@ -17,4 +17,4 @@ Eigen::VectorXd project_onto_plane(const RobotOnPlane& robot, const Eigen::Vecto
 Eigen::VectorXd projection_residuals(const RobotOnPlane& robot, const Eigen::Vector3d& target,
                                      const double* joints, Eigen::MatrixXd* jacobian = nullptr);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

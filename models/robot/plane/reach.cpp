@@ -9,7 +9,7 @@
 #include "models/robot/plane/solver.h"
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // Residuals [3]: from the target to the tip, in metres.
@@ -155,4 +155,4 @@ Eigen::VectorXd Reach::descend(const Eigen::Vector3d& target, Eigen::VectorXd jo
   return joints;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

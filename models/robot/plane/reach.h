@@ -9,7 +9,7 @@
 #include "models/robot/plane/clearance.h"
 #include "pipeline/core/random.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 class Reach {
  public:
@@ -55,4 +55,4 @@ class Reach {
   std::vector<int> all_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr int kCells = 40;  // along the longest side of the box
@@ -131,4 +131,4 @@ double ReachMap::distance(const Eigen::Vector3d& place, int facing) const {
   return outside + cell_ * distance_[facing * static_cast<std::size_t>(size_.prod()) + index(cell_of(place))];
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

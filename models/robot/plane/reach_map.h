@@ -9,7 +9,7 @@
 #include "pipeline/core/parallel.h"
 #include "pipeline/core/random.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 class ReachMap {
  public:
@@ -44,4 +44,4 @@ class ReachMap {
   std::vector<float> distance_;  // [directions x cells] of each to the nearest filled one, in cells
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

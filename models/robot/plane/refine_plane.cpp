@@ -6,7 +6,7 @@
 
 #include "models/robot/plane/solver.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 // Origin, azimuth, elevation, logarithm of the scale.
@@ -169,4 +169,4 @@ std::vector<double> distances_to_reach(const Board& board, const Reach& reach,
   return distances;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

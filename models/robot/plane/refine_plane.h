@@ -7,7 +7,7 @@
 #include "models/robot/plane/reach.h"
 #include "pipeline/core/parallel.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Of each point, the joints [dof] where the tip last came nearest to it; empty before the first time. Inverse
 // kinematics begins there.
@@ -28,4 +28,4 @@ std::vector<double> distances_to_reach(const Board& board, const Reach& reach,
                                        const std::vector<Eigen::Vector2d>& points, Workers& workers,
                                        Postures* postures = nullptr);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

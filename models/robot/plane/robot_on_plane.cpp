@@ -4,7 +4,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 RobotOnPlane::RobotOnPlane(std::string name, std::shared_ptr<const Body> body, const std::string& tip,
                            const DrawingPlane& plane, double off_plane_tolerance)
@@ -33,4 +33,4 @@ RobotOnPlane make_robot(const RobotSettings& settings, const DrawingPlane& plane
   return RobotOnPlane(settings.name, std::move(body), settings.tip_link, plane, settings.off_plane_tolerance);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

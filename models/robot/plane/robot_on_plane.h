@@ -9,7 +9,7 @@
 #include "models/robot/plane/robot_settings.h"
 #include "pipeline/hierarchy/robot.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 class RobotOnPlane final : public Robot {
  public:
@@ -46,4 +46,4 @@ class RobotOnPlane final : public Robot {
 // The robot of a profile's table on that plane: its drawing joints move, all others rest.
 RobotOnPlane make_robot(const RobotSettings& settings, const DrawingPlane& plane);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

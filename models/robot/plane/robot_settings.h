@@ -8,7 +8,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/core/settings.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // The search for a robot's drawing plane.
 struct PlaneSearchSettings {
@@ -84,4 +84,4 @@ void describe(Fields& f, GearSettings& s) {
   f.number("play", s.play, Range{0, 1}, "how far the joint moves while its motor stands, rad (m)");
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

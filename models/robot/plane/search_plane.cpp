@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hbr {
+namespace hbr::inline robots {
 namespace {
 
 constexpr double kSmallest = 1. / 32;  // of the largest scale that could fit the map's box
@@ -165,4 +165,4 @@ std::vector<Board> search_planes(const ReachMap& map, const BoardRules& rules,
   return boards;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -7,7 +7,7 @@
 #include "models/robot/plane/board_rules.h"
 #include "models/robot/plane/reach_map.h"
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Where the robot looks from, m: the first of the joints that draw.
 Eigen::Vector3d shoulder(const Body& body);
@@ -23,4 +23,4 @@ std::vector<Board> search_planes(const ReachMap& map, const BoardRules& rules,
                                  const std::vector<Eigen::Vector2d>& points, double half_side,
                                  const Eigen::Vector3d& eye, int most, Workers& workers);
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

@@ -3,7 +3,7 @@
 
 #include <ceres/ceres.h>
 
-namespace hbr {
+namespace hbr::inline robots {
 
 // Levenberg-Marquardt by QR, in silence, until the cost changes by less than the tolerance (relative).
 inline ceres::Solver::Options dense_solver(int most_iterations, double tolerance) {
@@ -15,4 +15,4 @@ inline ceres::Solver::Options dense_solver(int most_iterations, double tolerance
   return options;
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline robots

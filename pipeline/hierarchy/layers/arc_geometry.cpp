@@ -5,7 +5,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 double variance(std::span<const double> values) {
@@ -147,4 +147,4 @@ void arc_descriptors(const Frame& frame, ArcCentre centre, const ArcTracks& trac
     fill(ArcCentre::kCentroid);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

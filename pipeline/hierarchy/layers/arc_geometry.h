@@ -11,7 +11,7 @@
 #include "pipeline/hierarchy/coordinate.h"
 #include "pipeline/hierarchy/frame.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 inline constexpr int kArcSegments = 5;  // lines of an arc
 inline double longest_arc(const Frame& frame) { return kArcSegments * frame.longest_line; }  // m
@@ -62,4 +62,4 @@ struct ArcTracks {
 void arc_descriptors(const Frame& frame, ArcCentre centre, const ArcTracks& tracks, int n,
                      float* const* descriptor);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/layers/lines.h"
 #include "pipeline/hierarchy/stack.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 ArcLines decode_lines(const Frame& frame, const float* genes) {
@@ -150,4 +150,4 @@ std::unique_ptr<LayerModel> make_arcs(const ArcsSettings& settings, const Surrou
   return stacked_model(around, std::move(arcs));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

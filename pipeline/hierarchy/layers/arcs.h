@@ -9,7 +9,7 @@
 #include "pipeline/hierarchy/stacked_model.h"
 #include "pipeline/qd/named.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 using ArcLines = std::array<Eigen::Vector2d, kArcSegments>;  // displacements wanted of layer 2, m
 
@@ -104,4 +104,4 @@ const ArcOutcome& arc_outcome(const LayerModel& layer);
 
 std::unique_ptr<LayerModel> make_arcs(const ArcsSettings& settings, const Surroundings& around);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

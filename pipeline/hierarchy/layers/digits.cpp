@@ -5,7 +5,7 @@
 #include "pipeline/hierarchy/layers/image_outcome.h"
 #include "pipeline/hierarchy/stack.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 OutOfRange out_of_range(const std::string& name) {
@@ -58,4 +58,4 @@ std::unique_ptr<LayerModel> make_digits(const DigitsSettings& settings, const Su
   return stacked_model(around, std::move(digits));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

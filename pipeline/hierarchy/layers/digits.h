@@ -8,7 +8,7 @@
 #include "pipeline/hierarchy/execution_settings.h"
 #include "pipeline/hierarchy/stacked_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct DigitsSettings {
   double line_spacing = 0;
@@ -57,4 +57,4 @@ class DigitDecoder final : public Decoder {
 
 std::unique_ptr<LayerModel> make_digits(const DigitsSettings& settings, const Surroundings& around);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

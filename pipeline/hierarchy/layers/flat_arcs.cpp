@@ -3,7 +3,7 @@
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/layers/flat_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 FlatArcEvaluator::FlatArcEvaluator(const Robot& robot, const Frame& frame, FlatStart start,
                                    ArcReading reading)
@@ -89,4 +89,4 @@ std::unique_ptr<LayerModel> make_flat_arcs(const FlatArcsSettings& settings, con
   return flat_model("flat arcs", std::move(arcs));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

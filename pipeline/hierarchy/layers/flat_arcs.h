@@ -3,7 +3,7 @@
 
 #include "pipeline/hierarchy/layers/arcs.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct FlatArcsSettings : ArcReadingSettings {
   double half_side = 0, longest_line = 0;
@@ -54,4 +54,4 @@ const FlatArcEvaluator& flat_arc_evaluator(const LayerModel& layer);
 
 std::unique_ptr<LayerModel> make_flat_arcs(const FlatArcsSettings& settings, const Surroundings& around);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

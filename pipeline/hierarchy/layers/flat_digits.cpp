@@ -8,7 +8,7 @@
 #include "pipeline/hierarchy/layers/flat_model.h"
 #include "pipeline/hierarchy/layers/image_outcome.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 FlatDigits::FlatDigits(const Robot& robot, const Frame& frame, const PencilSettings& pencil,
                        FlatDigitReading reading)
@@ -112,4 +112,4 @@ std::unique_ptr<LayerModel> make_flat_digits(const FlatDigitsSettings& settings,
   return flat_model("flat digits", std::move(digits));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

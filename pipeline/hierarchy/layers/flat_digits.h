@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/layer_model.h"
 #include "pipeline/hierarchy/layers/arc_geometry.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct FlatDigitsSettings {
   double half_side = 0;
@@ -80,4 +80,4 @@ const FlatDigits& flat_digits_of(const LayerModel& layer);
 
 std::unique_ptr<LayerModel> make_flat_digits(const FlatDigitsSettings& settings, const Surroundings& around);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -2,7 +2,7 @@
 
 #include "pipeline/core/check.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 class FlatModel final : public LayerModel {
@@ -37,4 +37,4 @@ std::unique_ptr<LayerModel> flat_model(const char* kind, FlatParts parts) {
   return std::make_unique<FlatModel>(kind, std::move(parts));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

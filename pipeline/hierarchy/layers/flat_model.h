@@ -5,7 +5,7 @@
 
 #include "pipeline/hierarchy/layer_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct FlatParts {
   GenomeShape genome;
@@ -21,4 +21,4 @@ struct FlatParts {
 // `kind` names it in the error of whoever would build on it.
 std::unique_ptr<LayerModel> flat_model(const char* kind, FlatParts parts);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

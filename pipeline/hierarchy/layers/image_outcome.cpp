@@ -1,6 +1,6 @@
 #include "pipeline/hierarchy/layers/image_outcome.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 void draw_stroke(const Executions& executions, int execution, int k, const PencilSettings& pencil,
                  float* image) {
@@ -43,4 +43,4 @@ void ImageOutcome::measure(const Executions& executions, float* descriptor, floa
   describe_images(descriptor_, executions.size(), images.data(), descriptor, fitness);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

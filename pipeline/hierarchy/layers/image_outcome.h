@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "pipeline/hierarchy/outcome.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Draws what an execution did from the time that it put its pen down for the k-th time until the next: image
 // [28 x 28].
@@ -42,4 +42,4 @@ class ImageOutcome final : public Outcome {
   Way way_;
 };
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -2,7 +2,7 @@
 
 #include "pipeline/hierarchy/stack.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 Eigen::Vector2d decode_line(const Frame& frame, const float* genes) {
   const Eigen::Vector2d line = frame.line(Eigen::Vector2d(genes[0], genes[1]));
@@ -75,4 +75,4 @@ std::unique_ptr<LayerModel> make_lines_from_start(const LinesFromStartSettings& 
   return stacked_model(around, std::move(lines));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -6,7 +6,7 @@
 #include "pipeline/hierarchy/execution_settings.h"
 #include "pipeline/hierarchy/stacked_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 // Which displacements lines ask for.
 struct LinesFromStartSettings {
@@ -77,4 +77,4 @@ std::unique_ptr<LayerModel> make_lines(const LinesSettings& settings, const Surr
 std::unique_ptr<LayerModel> make_lines_from_start(const LinesFromStartSettings& settings,
                                                   const Surroundings& around);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

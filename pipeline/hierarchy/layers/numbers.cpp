@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/layers/image_outcome.h"
 #include "pipeline/hierarchy/stack.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 namespace {
 
 Coordinates of_each_digit(int digits, const Coordinates& digit) {
@@ -121,4 +121,4 @@ std::unique_ptr<LayerModel> make_numbers(const NumbersSettings& settings, const 
   return stacked_model(around, std::move(numbers));
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

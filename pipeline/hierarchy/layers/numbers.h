@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/execution_settings.h"
 #include "pipeline/hierarchy/stacked_model.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct NumbersSettings {
   int digits = 0;
@@ -52,4 +52,4 @@ float overlap_of_strokes(const Executions& executions, int execution, int digits
 
 std::unique_ptr<LayerModel> make_numbers(const NumbersSettings& settings, const Surroundings& around);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 PointEvaluator::PointEvaluator(const Robot& robot, const Frame& frame, const JointCost& cost)
     : robot_(robot), frame_(frame), cost_(cost) {}
@@ -61,4 +61,4 @@ std::unique_ptr<LayerModel> make_points(const PointsSettings& settings, const Su
   return std::make_unique<PointsModel>(settings, around.robot);
 }
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy

@@ -7,7 +7,7 @@
 #include "pipeline/hierarchy/layer_model.h"
 #include "pipeline/qd/named.h"
 
-namespace hbr {
+namespace hbr::inline hierarchy {
 
 struct PointsSettings {
   double half_side = 0;
@@ -37,4 +37,4 @@ class PointEvaluator final : public Evaluator {
 
 std::unique_ptr<LayerModel> make_points(const PointsSettings& settings, const Surroundings& around);
 
-}  // namespace hbr
+}  // namespace hbr::inline hierarchy
