@@ -107,9 +107,9 @@ help:
 	@echo '  Add -n to see what would run, -jN to run N stage programs side by side, -k to go on after a failure.'
 	@echo
 	@echo 'Robots'
-	@echo '  make robot URDF=FILE what a robot is: joints, mass, reach, what is odd; in OUT (here out/robot) a .glb and'
-	@echo '                       pictures of it, of what its chains reach (blue near their first joint, red far) and'
-	@echo '                       of the largest level, upright and leaning boards (blue, green, orange);'
+	@echo '  make robot URDF=FILE what a robot is: joints, mass, reach, what is odd; in OUT (here out/robot) a page on which'
+	@echo '                       it turns and its joints move, a .glb, and pictures of it, of what its chains reach and'
+	@echo '                       of the largest level, upright and leaning boards;'
 	@echo '                       MESHES=folder: where its meshes are; POSE="JOINT=rad ...": how it stands'
 	@echo
 	@echo 'Building'
@@ -259,6 +259,7 @@ robot: OUT := out/robot
 endif
 robot: $(ready)
 	@$(call made_ready,robot)
+	@[ -e $(three) ] || $(if $(frozen),,DEPS="$$GIVEN_DEPS" pipeline/fetch_three.sh $(three) ||) true
 	@set -f; $(programs)/robot "$$GIVEN_URDF" "$$GIVEN_OUT" "$$GIVEN_MESHES" $$GIVEN_POSE
 
 # Tests and checks -----------------------------------------------------------------------------------------------

@@ -50,7 +50,7 @@ const std::map<std::string, std::vector<std::string>> kMayInclude = {
     {"stages/robots", {"pipeline", "models", "stages/learned", "stages/layers", "stages/studies"}},
     {"stages/plan", {"pipeline", "models", "stages/learned", "stages/layers", "stages/robots"}},
     {"stages/report", {"pipeline", "reports"}},
-    {"stages/tools", {"pipeline", "models", "reports", "stages/plan"}},
+    {"stages/tools", {"pipeline", "models", "reports", "stages/plan", "stages/robots"}},
 };
 // The table of the kinds of layers, which alone in the engine knows them.
 const std::string kLayerTable = "pipeline/hierarchy/layers.cpp";

@@ -1,5 +1,5 @@
-// robot URDF OUT [FOLDER OF MESHES [JOINT=POSITION...]]: what a robot is, as a table and two pictures. No
-// stage: it belongs to no experiment.
+// robot URDF OUT [FOLDER OF MESHES [JOINT=POSITION...]]: what a robot is, as a table, pictures and a page on
+// which it turns. No stage: it belongs to no experiment.
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -11,14 +11,36 @@
 #include "models/robot/looks/boards.h"
 #include "models/robot/looks/reach_cloud.h"
 #include "models/robot/looks/render.h"
+#include "models/robot/looks/robot_shape.h"
 #include "models/robot/looks/visible_links.h"
 #include "models/robot/plane/best_boards.h"
+#include "pipeline/artifact/content.h"
+#include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/program.h"
+#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
+#include "reports/page/robot_page.h"
+#include "stages/robots/shape_file.h"
 
 namespace {
 
 using namespace hbr;
+
+// Says something on the terminal, and keeps it for the page.
+class Teller {
+ public:
+  template <class... Args>
+  void operator()(fmt::format_string<Args...> words, Args&&... args) {
+    const std::string text = fmt::format(words, std::forward<Args>(args)...);
+    fmt::print("{}", text);
+    std::fflush(stdout);
+    told_ += text;
+  }
+  const std::string& told() const { return told_; }
+
+ private:
+  std::string told_;
+};
 
 // "JOINT=POSITION"
 std::pair<std::string, double> placed(const std::string& word) {
@@ -95,7 +117,7 @@ void draw_reach(Scene scene, const std::vector<Chain>& chains, const std::string
 // The largest boards of each kind, as a line for each chain; of the chain with the largest a third picture,
 // in which a level board is blue, an upright one green and a leaning one orange. Whether there is any.
 bool draw_boards(Scene scene, const RobotModel& model, const std::vector<Chain>& chains,
-                 const std::map<std::string, double>& pose, const std::string& file) {
+                 const std::map<std::string, double>& pose, const std::string& file, Teller& tell) {
   constexpr double kSamples = 200000;  // of all chains
   constexpr std::size_t kMostJoints = 12;
   const std::vector<Eigen::Vector3f> colours{{0, 0.45f, 0.7f}, {0, 0.6f, 0.45f}, {0.9f, 0.6f, 0}};
@@ -113,7 +135,7 @@ bool draw_boards(Scene scene, const RobotModel& model, const std::vector<Chain>&
       found = best_boards(model, joints, pose, model.link(chain.link),
                           static_cast<int>(kSamples / static_cast<double>(chains.size())), workers);
     } catch (const InputError& error) {
-      fmt::print("boards  of '{}': none, as {}\n", chain.link, error.what());
+      tell("boards  of '{}': none, as {}\n", chain.link, error.what());
       continue;
     }
     for (const auto& [kind, board] : found) {
@@ -122,7 +144,7 @@ bool draw_boards(Scene scene, const RobotModel& model, const std::vector<Chain>&
                           board ? fmt::format("{:.3g} m", 2 * own) : "none");
       side = std::max(side, own);
     }
-    fmt::print("boards  of '{}', largest squares about: {}\n", chain.link, line);
+    tell("boards  of '{}', largest squares about: {}\n", chain.link, line);
     if (side > largest) shown = std::move(found);
     largest = std::max(largest, side);
   }
@@ -133,8 +155,24 @@ bool draw_boards(Scene scene, const RobotModel& model, const std::vector<Chain>&
   return largest > 0;
 }
 
+// The page on which its joints can be moved; the shape is a file for as long as that takes.
+void write_page(const RobotModel& model, const std::map<std::string, double>& pose,
+                const std::vector<std::vector<Mesh>>& meshes, const RobotPage& page,
+                const std::string& file) {
+  constexpr std::size_t kTriangles = 60000;
+  constexpr double kDeviation = 5e-4;  // m
+  const Body body(model, model.independent_joints(), pose);
+  Workers workers(1);
+  const Temporary shape(page.shape);
+  Hdf5Writer writer(shape.path);
+  write_shape(writer, body, shape_of(body, meshes, kTriangles, kDeviation, workers));
+  writer.close();
+  write_file(file, robot_page(page, ".cache/three"));
+}
+
 void describe(const std::filesystem::path& urdf, const std::filesystem::path& out,
               const std::filesystem::path& folder, std::map<std::string, double> pose) {
+  Teller tell;
   const RobotModel model = load_urdf(urdf);
   std::vector<std::string> odd = model.odd;
   keep_within_limits(model, pose, odd);
@@ -149,20 +187,20 @@ void describe(const std::filesystem::path& urdf, const std::filesystem::path& ou
   scene.floor = box.min()[2];
   const Eigen::Vector3d size = box.sizes();
 
-  fmt::print("{}: {} links, {} joints, of which {} move by themselves\n\n{}\n", model.name,
-             model.links.size(), model.joints.size(), model.independent_joints().size(), joint_table(model));
-  fmt::print("limits in rad or m, velocity in rad/s or m/s, effort in N m or N\n\nmass    {:.4f} kg\n",
-             body.mass());
-  fmt::print("height  {:.3f} m as it stands ({:.3f} m deep, {:.3f} m wide)\n", size[2], size[0], size[1]);
+  tell("{}: {} links, {} joints, of which {} move by themselves\n\n{}\n", model.name, model.links.size(),
+       model.joints.size(), model.independent_joints().size(), joint_table(model));
+  tell("limits in rad or m, velocity in rad/s or m/s, effort in N m or N\n\nmass    {:.4f} kg\n",
+       body.mass());
+  tell("height  {:.3f} m as it stands ({:.3f} m deep, {:.3f} m wide)\n", size[2], size[0], size[1]);
   const std::vector<Chain> chains = chains_of(model);
   std::size_t steps = 1;
   for (const Chain& chain : chains) steps += chain.steps.size();
   const int starts = std::clamp(static_cast<int>(20000 / steps), 1, 30);
   for (const Chain& chain : chains)
-    fmt::print("reach   {:.3f} m from joint '{}' to '{}'\n", farthest_reach(chain, starts),
-               chain.steps[0].joint->name, chain.link);
+    tell("reach   {:.3f} m from joint '{}' to '{}'\n", farthest_reach(chain, starts),
+         chain.steps[0].joint->name, chain.link);
   for (const std::string& line : oddities(model, size.norm())) odd.push_back(line);
-  for (const std::string& line : odd) fmt::print("odd: {}\n", line);
+  for (const std::string& line : odd) tell("odd: {}\n", line);
 
   std::size_t triangles = 0;
   for (const auto& link : meshes)
@@ -170,15 +208,21 @@ void describe(const std::filesystem::path& urdf, const std::filesystem::path& ou
   if (triangles > 2000000)
     fmt::print(stderr, "robot: draws {:.0f} million triangles\n", 1e-6 * static_cast<double>(triangles));
   const std::string stem = (out / urdf.stem()).string();
+  const auto file = [&](const char* end) { return urdf.stem().string() + end; };
   write_png(stem + ".png", render(scene, view_of(scene), 800, 1000));
   save_scene(stem + ".glb", "glb2", scene.bodies);
-  if (chains.empty()) {
-    fmt::print("{0}.png, {0}.glb\n", stem);
-    return;
+  std::vector<RobotPage::Picture> pictures{{file(".png"), "As it stands."}};
+  if (!chains.empty()) {
+    draw_reach(scene, chains, stem + "_reach.png");
+    pictures.push_back({file("_reach.png"), "What its chains reach: blue near their first joint, red far."});
+    if (draw_boards(std::move(scene), model, chains, pose, stem + "_boards.png", tell))
+      pictures.push_back(
+          {file("_boards.png"), "The largest boards: level blue, upright green, leaning orange."});
   }
-  draw_reach(scene, chains, stem + "_reach.png");
-  const bool boards = draw_boards(std::move(scene), model, chains, pose, stem + "_boards.png");
-  fmt::print("{0}.png, {0}.glb, {0}_reach.png{1}\n", stem, boards ? ", " + stem + "_boards.png" : "");
+  write_page(model, pose, meshes, {model.name, stem + ".shape.h5", tell.told(), pictures}, stem + ".html");
+  std::string made = fmt::format("{0}.html, {0}.glb", stem);
+  for (const auto& picture : pictures) made += fmt::format(", {}", (out / picture.file).string());
+  fmt::print("{}\n", made);
 }
 
 }  // namespace

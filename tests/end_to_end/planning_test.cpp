@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // The sanitizers read the table of what is mapped again and again, and its length changes from run to run.
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr std::int64_t kSanitizersNoise = 10'000;
 #else
 constexpr std::int64_t kSanitizersNoise = 0;

@@ -30,12 +30,19 @@ TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
   for (const auto& [name, magic] : {std::pair("six_joint_arm.png", "\x89PNG"),
                                     {"six_joint_arm_reach.png", "\x89PNG"},
                                     {"six_joint_arm_boards.png", "\x89PNG"},
-                                    {"six_joint_arm.glb", "glTF"}}) {
+                                    {"six_joint_arm.glb", "glTF"},
+                                    {"six_joint_arm.html", "<!do"}}) {
     std::ifstream file(out / name, std::ios::binary);
     std::string begin(4, ' ');
     file.read(begin.data(), 4);
     EXPECT_EQ(begin, magic) << name;
   }
+  EXPECT_FALSE(fs::exists(out / "six_joint_arm.shape.h5"));
+#ifdef NDEBUG  // under sanitizers the page is the same, and the browser is not ours
+  const ShellResult browser =
+      shell("node " HBR_SOURCE_DIR "/tests/browser/robot_page.mjs " + (out / "six_joint_arm.html").string());
+  EXPECT_EQ(browser.code, 0) << browser.text;
+#endif
 }
 
 TEST_F(RobotProgram, SaysWhatNoJointCanDo) {

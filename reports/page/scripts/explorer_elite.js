@@ -1,10 +1,4 @@
 // What the explorer tells of the selected elite.
-function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...children);
-  return made;
-}
 
 const withUnit = (value, unit) => shortNumber(value) + (unit ? " " + unit : "");
 

@@ -1,4 +1,4 @@
-// A robot at its board as three.js draws it: parts that move, the stroke, a camera to be turned.
+// A robot, at its board where it has one, as three.js draws it: parts that move, the stroke, a camera to be turned.
 class RobotScene {
   // THREE and OrbitControls: what three's modules export.
   constructor(canvas, THREE, OrbitControls) {
@@ -45,6 +45,7 @@ class RobotScene {
     this.set.traverse((object) => { object.geometry?.dispose(); object.material?.dispose(); });
     this.set.clear();
     this.body = body;
+    this.pen = null;
     this.parts = body.parts.map(() => {
       const group = new THREE.Group();
       group.matrixAutoUpdate = false;
@@ -57,8 +58,10 @@ class RobotScene {
       mesh.castShadow = mesh.receiveShadow = opacity === 1;
       this.parts[part].add(mesh);
     }
-    this.addBoard();
-    this.addPen();
+    if (body.plane) {
+      this.addBoard();
+      this.addPen();
+    }
     this.pose(body.lower.map((low, k) => Math.min(Math.max(0, low), body.upper[k])));
     this.addGround();
     this.resetView();
@@ -121,12 +124,13 @@ class RobotScene {
     camera.updateProjectionMatrix();
   }
 
-  // From the side of the arm that draws, over its shoulder: the drawing as the robot sees it.
+  // From the side of the arm that draws, over its shoulder: the drawing as the robot sees it. Without a board from
+  // before its left.
   resetView() {
-    const { THREE, body } = this, { u, v, origin } = body.plane, normal = cross3(u, v);
+    const { THREE, body } = this, { u, v, origin } = body.plane ?? { u: [0, 1, 0], v: [0, 0, 1], origin: [0, 0, 0] }, normal = cross3(u, v);
     const middle = this.bounds.getCenter(new THREE.Vector3()), size = this.bounds.getSize(new THREE.Vector3()).length();
     const turn = (dot3(u, origin) >= 0 ? 1 : -1) * 0.62, azimuth = Math.atan2(normal[1], normal[0]) + turn;
-    const distance = 0.43 * size / Math.sin(this.camera.fov * Math.PI / 360) / Math.min(1, this.camera.aspect);
+    const distance = (body.plane ? 0.43 : 0.58) * size / Math.sin(this.camera.fov * Math.PI / 360) / Math.min(1, this.camera.aspect);
     this.controls.target.copy(middle);
     this.camera.position.set(Math.cos(0.3) * Math.cos(azimuth), Math.cos(0.3) * Math.sin(azimuth), Math.sin(0.3))
       .multiplyScalar(distance).add(middle);
@@ -155,7 +159,7 @@ class RobotScene {
   pose(joints) {
     const frames = this.body.frames(joints);
     frames.forEach((f, part) => { this.parts[part].matrix.set(...f, 0, 0, 0, 1); });
-    this.pen.position.set(...this.body.penOf(frames));
+    this.pen?.position.set(...this.body.penOf(frames));
     return frames;
   }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
+#include "tests/reports/page/small_shape.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/unpacked.h"
 
@@ -40,33 +40,14 @@ class Robots3d : public testing::Test {
     return place(stage + replication + ".h5");
   }
 
-  // Two parts, two pieces: a triangle of 1 m, and a small one far away that lies in a plane.
   void shape(const std::string& robot) {
     Hdf5Writer file(place(robot + "_shape.h5"));
-    const std::vector<double> one{1, 0, 0};
-    file.attribute("joints", std::string("j"));
-    for (const char* list : {"joint/lower", "joint/upper"}) file.write(list, std::vector<double>{0.5});
-    for (const char* list : {"pen/place", "plane/origin", "plane/u", "plane/v"}) file.write(list, one);
+    write_small_shape(file);
+    for (const char* list : {"pen/place", "plane/origin", "plane/u", "plane/v"})
+      file.write(list, std::vector<double>{1, 0, 0});
     file.attribute("pen_part", std::int64_t{1});
     file.attribute("plane_scale", 0.25);
     file.attribute("half_side", 0.6);
-    file.write("part/parent", std::vector<std::int32_t>{-1, 0});
-    file.write("part/coordinate", std::vector<std::int32_t>{-1, 0});
-    file.write("part/slides", std::vector<std::uint8_t>{0, 1});
-    file.write("part/multiplier", std::vector<double>{1, -0.1});
-    file.write("part/offset", std::vector<double>{0, 1. / 3});
-    std::vector<double> origin(24);
-    for (std::size_t i = 0; i < 24; ++i) origin[i] = static_cast<double>(i) / 7;
-    file.write("part/origin", {2, 12}, origin.data());
-    file.write("part/axis", {2, 3}, std::vector<double>{0, 0, 1, 0, 1, 0}.data());
-    file.write("piece/part", std::vector<std::int32_t>{0, 1});
-    file.write("piece/vertices", std::vector<std::int32_t>{3, 4});
-    file.write("piece/triangles", std::vector<std::int32_t>{1, 2});
-    file.write("piece/opacity", std::vector<float>{1, 0.5f});
-    file.write("piece/colour", {2, 3}, std::vector<float>{0, 0.5f, 1, 1, 1, 1}.data());
-    file.write("vertex/position", {7, 3}, position_.data());
-    file.write("vertex/normal", {7, 3}, normal_.data());
-    file.write("triangle/vertex", {3, 3}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2, 0, 2, 3}.data());
     file.close();
   }
 
@@ -99,9 +80,6 @@ class Robots3d : public testing::Test {
     return Unpacked(robots_3d_packs(artifacts(), three()), name);
   }
 
-  std::vector<float> position_{0, 0,     0, 1, 0.3f,  0,      0.2f, 1, -0.7f, 5, 5,
-                               2, 5.01f, 5, 2, 5.01f, 5.003f, 2,    5, 5.01f, 2};
-  std::vector<float> normal_{0, 0, 1, 0, 0, -1, 0.6f, 0, 0.8f, 1, 0, 0, 0, -1, 0, 0, 0.28f, 0.96f, 0, 0, 1};
   TemporaryFolder folder_;
   std::map<std::string, fs::path> paths_;
 };
@@ -122,13 +100,13 @@ TEST_F(Robots3d, KeepsFramesExactlyAndSurfacesToAStepOfTheirBox) {
   EXPECT_EQ(words["parts"][1]["slides"], true);
   const auto places = robot.read<std::uint16_t>("position");
   const auto normals = robot.read<std::uint8_t>("normal");
-  ASSERT_EQ(places.size(), position_.size());
+  ASSERT_EQ(places.size(), kSmallPositions.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     const nlohmann::json& piece = words["pieces"][i < 9 ? 0 : 1];
     const double low = piece["low"][i % 3], high = piece["high"][i % 3];
     const double step = (high - low) / words["places"].get<double>();
-    EXPECT_NEAR(low + step * places[i], position_[i], step / 2 + 1e-7) << i;
-    EXPECT_NEAR((normals[i] - 128) / 127., normal_[i], 0.5 / 127 + 1e-6) << i;
+    EXPECT_NEAR(low + step * places[i], kSmallPositions[i], step / 2 + 1e-7) << i;
+    EXPECT_NEAR((normals[i] - 128) / 127., kSmallNormals[i], 0.5 / 127 + 1e-6) << i;
   }
   EXPECT_THAT(robot.read<std::uint16_t>("triangle"), ElementsAre(0, 1, 2, 0, 1, 2, 0, 2, 3));
 }
