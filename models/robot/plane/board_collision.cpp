@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace hbr::inline robots {
@@ -74,14 +75,24 @@ bool BoardCollision::pierced(const Board& board) const {
   return std::ranges::any_of(still_, [&](const Capsule& capsule) { return breaks(board, capsule); });
 }
 
+Eigen::Array<double, kDirections, 1> BoardCollision::before_boards(const Capsule& placed,
+                                                                   const Eigen::Vector3d& tip) {
+  return (kLattice * (placed.middle - tip)).array() - (kLattice * placed.half).array().abs() - placed.radius;
+}
+
+int BoardCollision::blocker(const std::vector<Eigen::Isometry3d>& poses) const {
+  std::map<int, Eigen::Index> blocked;  // by link
+  for (const Capsule& capsule : moving_)
+    blocked[capsule.link] +=
+        (before_boards(capsule.at(poses[capsule.link]), poses[tip_].translation()) < 0).count();
+  const auto most = std::ranges::max_element(blocked, {}, [](const auto& link) { return link.second; });
+  return most == blocked.end() || most->second == 0 ? -1 : most->first;
+}
+
 Directions BoardCollision::free(const std::vector<Eigen::Isometry3d>& poses) const {
-  const Eigen::Vector3d& tip = poses[tip_].translation();
   Eigen::Array<double, kDirections, 1> least = Eigen::Array<double, kDirections, 1>::Ones();
-  for (const Capsule& capsule : moving_) {
-    const Capsule placed = capsule.at(poses[capsule.link]);
-    least = least.min((kLattice * (placed.middle - tip)).array() - (kLattice * placed.half).array().abs() -
-                      placed.radius);
-  }
+  for (const Capsule& capsule : moving_)
+    least = least.min(before_boards(capsule.at(poses[capsule.link]), poses[tip_].translation()));
   Directions result;
   for (int i = 0; i < kDirections; ++i) result[i] = least[i] >= 0;
   return result;

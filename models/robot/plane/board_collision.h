@@ -39,7 +39,14 @@ class BoardCollision {
   // The normals of endless boards through the tip which no moving link breaks.
   Directions free(const std::vector<Eigen::Isometry3d>& poses) const;
 
+  // The link that breaks such boards in the most directions, by index in the model; -1 where none does.
+  int blocker(const std::vector<Eigen::Isometry3d>& poses) const;
+
  private:
+  // In each direction, how far before the endless board through the tip all of the capsule is, m.
+  static Eigen::Array<double, kDirections, 1> before_boards(const Capsule& placed,
+                                                            const Eigen::Vector3d& tip);
+
   int tip_;
   std::vector<Capsule> moving_;
   std::vector<Capsule> still_;  // in the root link's frame

@@ -1,6 +1,8 @@
 // What a robot that draws keeps clear of: itself and its board.
 #pragma once
 
+#include <optional>
+
 #include "models/robot/body/self_collision.h"
 #include "models/robot/plane/board_collision.h"
 
@@ -22,6 +24,13 @@ class Clearance {
   Directions free(const double* joints) const {
     const std::vector<Eigen::Isometry3d> poses = posed(joints);
     return self_.collides(poses) ? Directions() : board_.free(poses);
+  }
+
+  // The link that keeps the most boards from the tip (BoardCollision::blocker); nothing where the robot runs
+  // into itself.
+  std::optional<int> blocker(const double* joints) const {
+    const std::vector<Eigen::Isometry3d> poses = posed(joints);
+    return self_.collides(poses) ? std::nullopt : std::optional(board_.blocker(poses));
   }
 
   // Whether what never moves stands in the board.

@@ -6,6 +6,7 @@
 
 #include <fmt/ranges.h>
 
+#include "models/robot/plane/nothing_free.h"
 #include "models/robot/plane/solver.h"
 #include "pipeline/core/check.h"
 
@@ -70,11 +71,7 @@ Reach::Reach(const Body& body, int tip, const Clearance& clearance, int samples,
     if (free.none()) joints_.resize(drawn * dof);
   }
   tips_.resize(joints_.size() / dof);
-  if (tips_.empty())
-    throw InputError(
-        "{}: each of {} configurations of {} runs the robot into itself or into any board at its tip; "
-        "expected free ones",
-        body.model().path.string(), samples, fmt::join(body.moving(), ", "));
+  if (tips_.empty()) throw nothing_free(body, clearance, tip, samples);
   all_.resize(tips_.size());
   std::iota(all_.begin(), all_.end(), 0);
   body.positions(tip, static_cast<Eigen::Index>(tips_.size()), joints_.data(), tips_.data());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "models/robot/plane/nothing_free.h"
 #include "pipeline/core/check.h"
 
 namespace hbr::inline robots {
@@ -94,11 +95,7 @@ ReachMap::ReachMap(const Body& body, int tip, const Clearance& clearance, int sa
   const auto cells = static_cast<std::size_t>(size_.prod());
   std::vector<Directions> filled(cells);
   for (std::size_t i = 0; i < n; ++i) filled[index(cell_of(tips[i]))] |= clear[i];
-  if (std::ranges::none_of(filled, &Directions::any))
-    throw InputError(
-        "{}: each of {} configurations of {} runs the robot into itself or into any board at its tip; "
-        "expected free ones",
-        body.model().path.string(), samples, fmt::join(body.moving(), ", "));
+  if (std::ranges::none_of(filled, &Directions::any)) throw nothing_free(body, clearance, tip, samples);
 
   distance_.resize(kDirections * cells);
   workers.for_each(kDirections, [&](std::size_t facing) {
