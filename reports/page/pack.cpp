@@ -13,7 +13,7 @@
 namespace hbr::inline reports {
 namespace {
 
-// Level 9 takes twice the time of the whole page and makes it 0.2 % smaller.
+// Level 9 makes the page 0.2 % smaller, and the stage that writes it take half as long again.
 std::string deflated(const std::string& bytes) {
   uLongf size = compressBound(bytes.size());
   std::string packed(size, '\0');
