@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "models/onnx/file/flow.h"
+#include "models/onnx/file/schema.h"
 #include "models/onnx/file/shown.h"
+#include "models/onnx/file/stored_tensor.h"
 #include "pipeline/core/check.h"
 #include "pipeline/drawing/draw.h"
 #include "pipeline/qd/dimension.h"
@@ -96,8 +98,13 @@ bool is_elementwise(const OnnxNode& node) {
 
 class Choice {
  public:
-  Choice(const OnnxModel& model, const Shapes& shapes, const OnnxSettings& settings)
-      : model_(model), shapes_(shapes), settings_(settings) {}
+  Choice(const OnnxModel& model, Shapes shapes, const OnnxSettings& settings)
+      : model_(model), shapes_(std::move(shapes)), settings_(settings) {
+    // OpenCV gives integers, such as the number of a class, as floats, too; the file says what they are.
+    for (const OnnxValue& output : model.outputs)
+      if (const auto found = shapes_.find(output.name); found != shapes_.end())
+        found->second.floats &= output.type == onnx::kFloat || is_converted(output.type) || output.type == 0;
+  }
 
   std::string reconstruction() const {
     if (!settings_.reconstruction.empty()) {
@@ -256,7 +263,7 @@ class Choice {
   }
 
   const OnnxModel& model_;
-  const Shapes& shapes_;
+  Shapes shapes_;
   const OnnxSettings& settings_;
 };
 

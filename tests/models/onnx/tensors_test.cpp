@@ -175,6 +175,18 @@ TEST(OnnxTensors, ShapesAreNoWayAroundThePosition) {
   expect_network(read, n, some_images());
 }
 
+// The number of a class is as narrow as a position, and none.
+TEST(OnnxTensors, OfIntegersAreNotTakenForThePosition) {
+  other::File file = begun();
+  network().encoder(file);
+  network().decoder(file).node("ArgMax", {"hr"}, {"class"}, other::integer_attribute("axis", 1));
+  file.output("class", {-1, 1}, other::kInt64);
+  const OnnxDescriptor read(file.content(), "mine.onnx");
+  EXPECT_EQ(read.settings().position, "z");
+  expect_network(read, network(), some_images());
+  EXPECT_THAT(complaint(file.content(), named("class")), HasSubstr("'class' is not of type float32"));
+}
+
 TEST(OnnxTensors, OfSeveralReconstructionsOneIsToBeNamed) {
   other::File file = begun();
   network().encoder(file);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -16,9 +17,11 @@ namespace {
 
 const double kLimit = three_links().upper()[0];
 
-// Layer 1 of random configurations, which hold the arm in all ways; those that run into the robot are left
-// out.
-PointLayer random_layer(const RobotOnPlane& robot, int most) {
+// Random configurations, which hold the arm in all ways; those that run into the robot are left out, and
+// those that are not wanted.
+Elites random_elites(
+    const RobotOnPlane& robot, int most,
+    const std::function<bool(const Eigen::Vector3d&)>& wanted = [](const auto&) { return true; }) {
   Rng rng(Seed(4));
   Elites elites;
   elites.solution.resize(most, 3);
@@ -29,7 +32,7 @@ PointLayer random_layer(const RobotOnPlane& robot, int most) {
   for (Eigen::Index i = 0; i < most; ++i) {
     Eigen::Vector3d joints;
     decode_joints(robot, elites.solution.row(i).data(), joints.data());
-    if (!robot.clear(joints.data(), kFrame.half_side)) continue;
+    if (!robot.clear(joints.data(), kFrame.half_side) || !wanted(joints)) continue;
     elites.solution.row(kept) = elites.solution.row(i).eval();
     elites.id.push_back(kept);
     elites.parent.push_back(-1);
@@ -38,7 +41,10 @@ PointLayer random_layer(const RobotOnPlane& robot, int most) {
   elites.solution.conservativeResize(kept, 3);
   elites.measures.conservativeResize(kept, 2);
   elites.objective.conservativeResize(kept);
-  return {elites, robot, kFrame};
+  return elites;
+}
+PointLayer random_layer(const RobotOnPlane& robot, int most) {
+  return {random_elites(robot, most), robot, kFrame};
 }
 const PointLayer& points() {
   static const PointLayer layer = random_layer(three_links(), 600);
@@ -102,13 +108,16 @@ double brute_force(const Trace& trace) {
   return *std::ranges::min_element(travel);
 }
 
-void expect_draws(const Trace& trace, const std::vector<double>& joints) {
-  const RobotOnPlane& robot = three_links();
+void expect_draws(const Trace& trace, const std::vector<double>& joints,
+                  const RobotOnPlane& robot = three_links()) {
   ASSERT_EQ(joints.size(), trace.joints.size());
   for (Eigen::Index k = 0; k < trace.points(); ++k) {
     const Eigen::Vector3d target = robot.plane().to_robot({trace.pen[2 * k], trace.pen[2 * k + 1]});
     EXPECT_LE((robot.body().position(robot.tip(), &joints[3 * k]) - target).norm(), kTolerance / 10);
-    for (int i = 0; i < 3; ++i) EXPECT_LE(std::abs(joints[3 * k + i]), kLimit);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_GE(joints[3 * k + i], robot.lower()[i]);
+      EXPECT_LE(joints[3 * k + i], robot.upper()[i]);
+    }
     EXPECT_TRUE(robot.clear(&joints[3 * k], kFrame.half_side));
   }
 }
@@ -153,6 +162,63 @@ TEST(PosturePath, MakesNoJumps) {
     EXPECT_GT(largest_step(trace.joints, 3), 1);
   }
   EXPECT_LT(worst, 0.6);
+}
+
+// To the left the elites hold the arm bent one way, to the right the other way: what passes from one side to
+// the other without a jump is carried from place to place.
+TEST(PosturePath, CarriesPosturesPastElitesThatHoldTheArmOtherwise) {
+  const RobotOnPlane& robot = three_links();
+  for (const double side : {-1.0, 1.0}) {
+    const Elites elites = random_elites(robot, 4000, [&](const Eigen::Vector3d& q) {
+      Pen pen;
+      robot.pens(1, q.data(), &pen);
+      return side * pen.position[0] * q[1] > 0 && q[1] * q[2] > 0;
+    });
+    const PointLayer layer(elites, robot, kFrame);
+    ASSERT_GT(layer.size(), 500);
+    const Trace trace = along(layer, {-1.8, 0.6}, {1.8, 0.6}, 40);
+    const std::vector<double> found = least_travel(robot, layer, trace);
+    expect_draws(trace, found);
+    EXPECT_LT(largest_step(found, 3), 0.4);
+  }
+}
+
+// Joints whose limits bind, and the same robot, layer and traces in a mirror, where upper limits are lower
+// ones.
+TEST(PosturePath, AlongLimitsIsThatOfTheMirroredRobot) {
+  const auto limited = [](double sign) {
+    const auto turn = [&](double a, double b) {
+      return Turn{std::min(sign * a, sign * b), std::max(sign * a, sign * b)};
+    };
+    return RobotOnPlane("three", chain({turn(-0.5, 1.5), turn(-1.2, 0.2), turn(-0.1, 1.9)}, "1 0 0", kBeside),
+                        "tip", DrawingPlane::facing({0, 0, 0}, 0, 0, 1), kTolerance);
+  };
+  const RobotOnPlane robot = limited(1), mirrored_robot = limited(-1);
+  Elites elites = random_elites(robot, 400), mirrored_elites = elites;
+  for (Eigen::Index i = 0; i < elites.size(); ++i) {
+    // Genes of few digits, so that the mirrored ones are exact.
+    elites.solution.row(i) = (elites.solution.row(i).array() * 4096).round() / 4096;
+    mirrored_elites.solution.row(i) = 1 - elites.solution.row(i).array();
+    perform_point(robot, kFrame, elites, i);
+    perform_point(mirrored_robot, kFrame, mirrored_elites, i);
+  }
+  const PointLayer layer(elites, robot, kFrame), mirrored_layer(mirrored_elites, mirrored_robot, kFrame);
+  int at_limits = 0;
+  for (std::int32_t elite = 0; elite + 1 < 40; ++elite) {
+    const Trace trace = along(layer, layer.position(elite), layer.position(elite + 1), 12);
+    Trace mirrored_trace = trace;
+    for (double& joint : mirrored_trace.joints) joint = -joint;
+    for (std::size_t k = 1; k < trace.pen.size(); k += 2) mirrored_trace.pen[k] *= -1;
+    const std::vector<double> found = least_travel(robot, layer, trace),
+                              mirrored = least_travel(mirrored_robot, mirrored_layer, mirrored_trace);
+    expect_draws(trace, found, robot);
+    expect_draws(mirrored_trace, mirrored, mirrored_robot);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_NEAR(found[k], -mirrored[k], 1e-6);
+      at_limits += found[k] == robot.lower()[k % 3] || found[k] == robot.upper()[k % 3];
+    }
+  }
+  EXPECT_GT(at_limits, 2);
 }
 
 // Links 0.3 m thick, beside their board: folded, the last would lie in the first.
