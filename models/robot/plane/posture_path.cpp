@@ -2,11 +2,11 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "models/robot/plane/solver.h"
+#include "models/robot/plane/straighten_postures.h"
 
 namespace hbr::inline robots {
 namespace {
@@ -14,14 +14,16 @@ namespace {
 constexpr int kNear = 64;             // elites from which a place's inverse solutions start
 constexpr std::size_t kCarried = 32;  // candidates of the place before, those of the shortest ways
 constexpr double kSame = 0.01;        // rad: candidates as near to each other as this are one
-constexpr double kDamping = 1e-6;     // m^2/rad^2: of inverse kinematics, against singular postures
-// m: a pen so far off costs as much as a turn of 1 rad; first little, so that large turns find their way.
-constexpr std::array kUnits = {1e-2, 1e-3, 1e-4};
-constexpr int kRounds = 8;  // of straightening, each with more places kept as they were
+constexpr double kJump = 0.5;      // rad: a larger turn between two places, and another way to hold the arm
+constexpr double kTurn = 0.3;      // rad: between two places, towards another way to hold the arm
+constexpr std::size_t kGoals = 3;  // such ways that a posture is turned to
+constexpr double kAside = 1e-2;    // m: a pen so far aside half-way along a jump costs as much as 1 rad
+constexpr double kDamping = 1e-6;  // m^2/rad^2: of inverse kinematics, against singular postures
+constexpr int kRounds = 8;         // of straightening, each with more places kept as they were
 
 struct Candidate {
   Eigen::VectorXd joints;
-  double jumps = 0;  // rad^2, from the start: squares of the distances between configurations
+  double jumps = 0;  // rad^2, of the way to it: squares of the distances between configurations
   int from = -1;     // among the candidates of the place before
 };
 using Candidates = std::vector<Candidate>;
@@ -29,52 +31,6 @@ using Candidates = std::vector<Candidate>;
 double distance_to(const RobotOnPlane& robot, const Eigen::Vector3d& target, const double* joints) {
   return (robot.body().position(robot.tip(), joints) - target).norm();
 }
-
-// The pen's distance from its place, in units.
-class PlaceCost final : public ceres::CostFunction {
- public:
-  PlaceCost(const RobotOnPlane& robot, const Eigen::Vector3d& target, double unit)
-      : robot_(robot), target_(target), unit_(unit) {
-    set_num_residuals(3);
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(robot.dof()));
-  }
-  bool Evaluate(const double* const* joints, double* residuals, double** jacobians) const override {
-    const bool wanted = jacobians && jacobians[0];
-    Eigen::Matrix3Xd slopes;
-    Eigen::Map<Eigen::Vector3d>(residuals, 3) =
-        (robot_.body().position(robot_.tip(), joints[0], wanted ? &slopes : nullptr) - target_) / unit_;
-    using RowMajor = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
-    if (wanted) Eigen::Map<RowMajor>(jacobians[0], 3, robot_.dof()) = slopes / unit_;
-    return true;
-  }
-
- private:
-  const RobotOnPlane& robot_;
-  Eigen::Vector3d target_;
-  double unit_;
-};
-
-// How far the joints turn from one place to the next.
-class TurnCost final : public ceres::CostFunction {
- public:
-  explicit TurnCost(int dof) : dof_(dof) {
-    set_num_residuals(dof);
-    *mutable_parameter_block_sizes() = {dof, dof};
-  }
-  bool Evaluate(const double* const* joints, double* residuals, double** jacobians) const override {
-    for (int i = 0; i < dof_; ++i) residuals[i] = joints[1][i] - joints[0][i];
-    for (int block = 0; jacobians && block < 2; ++block) {
-      if (!jacobians[block]) continue;
-      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-      Eigen::Map<RowMajor>(jacobians[block], dof_, dof_) =
-          (block == 0 ? -1 : 1) * Eigen::MatrixXd::Identity(dof_, dof_);
-    }
-    return true;
-  }
-
- private:
-  int dof_;
-};
 
 class PosturePath {
  public:
@@ -86,19 +42,12 @@ class PosturePath {
   std::vector<double> smoothest() const {
     std::vector<Candidates> places;
     for (Eigen::Index k = 0; k < trace_.points(); ++k) {
-      Candidates found = candidates(k, places.empty() ? Candidates() : places.back());
-      if (k > 0)
-        for (Candidate& to : found) connect(places.back(), to);
-      std::ranges::stable_sort(found, {}, &Candidate::jumps);
-      places.push_back(std::move(found));
+      places.push_back(candidates(k, places.empty() ? Candidates() : places.back()));
+      if (k > 0) connect(places[k - 1], places[k], nullptr);
+      sort(places[k]);
     }
-    std::vector<Eigen::VectorXd> way;
-    int at = 0;  // the first of the last place has the best way
-    for (auto place = places.rbegin(); place != places.rend(); ++place) {
-      way.push_back((*place)[at].joints);
-      at = (*place)[at].from;
-    }
-    std::ranges::reverse(way);
+    std::vector<Eigen::VectorXd> way = best_way(places);
+    if (jumps(way)) way = without_jumps(places);
     const std::vector<double> found = row_by_row(straightened_where_possible(std::move(way)));
     return joint_travel(found, robot_.dof()) <= joint_travel(trace_.joints, robot_.dof()) ? found
                                                                                           : trace_.joints;
@@ -115,18 +64,84 @@ class PosturePath {
     return joints;
   }
 
+  // The best first, so that the first of the last place has the best way.
+  static void sort(Candidates& place) { std::ranges::stable_sort(place, {}, &Candidate::jumps); }
+
+  static std::vector<Eigen::VectorXd> best_way(const std::vector<Candidates>& places) {
+    std::vector<Eigen::VectorXd> way;
+    int at = 0;
+    for (auto place = places.rbegin(); place != places.rend(); ++place) {
+      way.push_back((*place)[at].joints);
+      at = (*place)[at].from;
+    }
+    std::ranges::reverse(way);
+    return way;
+  }
+
+  static bool jumps(const std::vector<Eigen::VectorXd>& way) {
+    for (std::size_t k = 1; k < way.size(); ++k)
+      if ((way[k] - way[k - 1]).norm() > kJump) return true;
+    return false;
+  }
+
+  // With more candidates, from the first place to the last and back; the pen's way along a jump counts.
+  std::vector<Eigen::VectorXd> without_jumps(std::vector<Candidates>& places) const {
+    const auto pass = [&](Eigen::Index from, Eigen::Index to, bool explored) {
+      const Eigen::Index step = from < to ? 1 : -1;
+      for (Candidate& c : places[from]) c.jumps = 0;
+      for (Eigen::Index k = from + step; k != to + step; k += step) {
+        const Eigen::Vector3d middle = (targets_[k - step] + targets_[k]) / 2;
+        if (explored) explore(places[k - step], k, places[k]);
+        connect(places[k - step], places[k], &middle);
+        sort(places[k]);
+      }
+    };
+    const Eigen::Index last = trace_.points() - 1;
+    pass(0, last, true);
+    pass(last, 0, true);
+    pass(0, last, false);
+    return best_way(places);
+  }
+
   Candidates candidates(Eigen::Index k, const Candidates& before) const {
     Candidates found{{own(k)}};
-    const auto add = [&](const Eigen::VectorXd& start) {
-      const Eigen::VectorXd joints = inverse(start, targets_[k]);
-      for (const Candidate& other : found)
-        if ((other.joints - joints).norm() < kSame) return;
-      if (possible(joints, k)) found.push_back({joints});
-    };
-    for (std::size_t i = 0; i < std::min(kCarried, before.size()); ++i) add(before[i].joints);
+    for (std::size_t i = 0; i < std::min(kCarried, before.size()); ++i) add(before[i].joints, k, found);
     for (const std::int32_t elite : elites_near(pen(k)))
-      add(Eigen::Map<const Eigen::VectorXd>(points_.joints(elite), robot_.dof()));
+      add(Eigen::Map<const Eigen::VectorXd>(points_.joints(elite), robot_.dof()), k, found);
     return found;
+  }
+
+  void add(const Eigen::VectorXd& start, Eigen::Index k, Candidates& place) const {
+    const Eigen::VectorXd joints = inverse(start, targets_[k]);
+    for (const Candidate& other : place)
+      if ((other.joints - joints).norm() < kSame) return;
+    if (possible(joints, k)) place.push_back({joints});
+  }
+
+  // Carries candidates of a place beside, the best of each way to hold the arm: as they are, and on their way
+  // to those that are there already, so that a jump may be made of small turns.
+  void explore(const Candidates& beside, Eigen::Index k, Candidates& place) const {
+    std::vector<Eigen::VectorXd> goals;
+    for (const Candidate& c : place) goals.push_back(c.joints);
+    std::vector<Eigen::VectorXd> starts;
+    for (const Candidate& c : beside)
+      if (starts.size() < kCarried) add_if_apart(c.joints, starts);
+    for (const Eigen::VectorXd& start : starts) add(start, k, place);
+    for (const Eigen::VectorXd& start : starts) {
+      std::ranges::sort(goals, {}, [&](const Eigen::VectorXd& goal) { return (goal - start).norm(); });
+      std::vector<Eigen::VectorXd> taken;
+      for (auto goal = goals.begin(); goal != goals.end() && taken.size() < kGoals; ++goal) {
+        const double far = (*goal - start).norm();
+        if (far > kTurn && add_if_apart(*goal, taken)) add(start + kTurn / far * (*goal - start), k, place);
+      }
+    }
+  }
+
+  static bool add_if_apart(const Eigen::VectorXd& joints, std::vector<Eigen::VectorXd>& chosen) {
+    const auto alike = [&](const Eigen::VectorXd& other) { return (other - joints).norm() < kJump; };
+    if (std::ranges::any_of(chosen, alike)) return false;
+    chosen.push_back(joints);
+    return true;
   }
 
   std::vector<std::int32_t> elites_near(const Eigen::Vector2d& place) const {
@@ -168,13 +183,24 @@ class PosturePath {
            robot_.clear(joints.data(), points_.frame().half_side);
   }
 
-  static void connect(const Candidates& before, Candidate& to) {
-    to.jumps = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      const double jumps = before[i].jumps + (to.joints - before[i].joints).squaredNorm();
-      if (jumps >= to.jumps) continue;
-      to.jumps = jumps;
-      to.from = static_cast<int>(i);
+  // Each candidate of a place with the way to it through the candidates before. `middle`, where it is given:
+  // between the two places; how far the pen is from it half-way along a jump counts.
+  void connect(const Candidates& before, Candidates& place, const Eigen::Vector3d* middle) const {
+    for (Candidate& to : place) {
+      to.jumps = std::numeric_limits<double>::infinity();
+      for (const bool jump : {false, true})
+        for (std::size_t i = 0; i < before.size(); ++i) {
+          const double turned = (to.joints - before[i].joints).squaredNorm();
+          double jumps = before[i].jumps + turned;
+          if (jump != (turned > kJump * kJump) || jumps >= to.jumps) continue;
+          if (jump && middle) {
+            const Eigen::VectorXd half = (to.joints + before[i].joints) / 2;
+            jumps += std::pow(distance_to(robot_, *middle, half.data()) / kAside, 2);
+            if (jumps >= to.jumps) continue;
+          }
+          to.jumps = jumps;
+          to.from = static_cast<int>(i);
+        }
     }
   }
 
@@ -183,7 +209,7 @@ class PosturePath {
   std::vector<Eigen::VectorXd> straightened_where_possible(const std::vector<Eigen::VectorXd>& way) const {
     std::vector<bool> kept(way.size(), false);
     for (int round = 0; round < kRounds; ++round) {
-      std::vector<Eigen::VectorXd> straight = straightened(way, kept);
+      std::vector<Eigen::VectorXd> straight = straightened(robot_, targets_, way, kept);
       bool all = true;
       for (std::size_t k = 0; k < way.size(); ++k) {
         if (kept[k] || possible(straight[k], static_cast<Eigen::Index>(k))) continue;
@@ -191,28 +217,6 @@ class PosturePath {
         all = false;
       }
       if (all) return straight;
-    }
-    return way;
-  }
-
-  std::vector<Eigen::VectorXd> straightened(std::vector<Eigen::VectorXd> way,
-                                            const std::vector<bool>& kept) const {
-    const int dof = static_cast<int>(robot_.dof());
-    for (const double unit : kUnits) {
-      ceres::Problem problem;
-      for (std::size_t k = 0; k < way.size(); ++k) {
-        problem.AddResidualBlock(new PlaceCost(robot_, targets_[k], unit), nullptr, way[k].data());
-        if (k > 0) problem.AddResidualBlock(new TurnCost(dof), nullptr, way[k - 1].data(), way[k].data());
-        for (int i = 0; i < dof; ++i) {
-          problem.SetParameterLowerBound(way[k].data(), i, robot_.lower()[i]);
-          problem.SetParameterUpperBound(way[k].data(), i, robot_.upper()[i]);
-        }
-        if (kept[k]) problem.SetParameterBlockConstant(way[k].data());
-      }
-      ceres::Solver::Options options = dense_solver(20, 1e-4);
-      options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;  // places know their neighbours alone
-      ceres::Solver::Summary summary;
-      ceres::Solve(options, &problem, &summary);
     }
     return way;
   }

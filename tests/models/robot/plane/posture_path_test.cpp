@@ -21,16 +21,16 @@ const double kLimit = three_links().upper()[0];
 // those that are not wanted.
 Elites random_elites(
     const RobotOnPlane& robot, int most,
-    const std::function<bool(const Eigen::Vector3d&)>& wanted = [](const auto&) { return true; }) {
+    const std::function<bool(const Eigen::VectorXd&)>& wanted = [](const auto&) { return true; }) {
   Rng rng(Seed(4));
   Elites elites;
-  elites.solution.resize(most, 3);
+  elites.solution.resize(most, robot.dof());
   for (float& gene : elites.solution.reshaped()) gene = rng.uniform();
   elites.measures = Rows::Zero(most, 2);
   elites.objective = Eigen::VectorXf::Zero(most);
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < most; ++i) {
-    Eigen::Vector3d joints;
+    Eigen::VectorXd joints(robot.dof());
     decode_joints(robot, elites.solution.row(i).data(), joints.data());
     if (!robot.clear(joints.data(), kFrame.half_side) || !wanted(joints)) continue;
     elites.solution.row(kept) = elites.solution.row(i).eval();
@@ -38,7 +38,7 @@ Elites random_elites(
     elites.parent.push_back(-1);
     perform_point(robot, kFrame, elites, kept++);
   }
-  elites.solution.conservativeResize(kept, 3);
+  elites.solution.conservativeResize(kept, robot.dof());
   elites.measures.conservativeResize(kept, 2);
   elites.objective.conservativeResize(kept);
   return elites;
@@ -58,7 +58,7 @@ Trace along(const PointLayer& layer, const Eigen::Vector2d& from, const Eigen::V
     const std::int32_t elite = layer.nearest(from + (to - from) * k / (n - 1));
     const Eigen::Vector2d p = layer.position(elite);
     trace.pen.insert(trace.pen.end(), {static_cast<float>(p.x()), static_cast<float>(p.y())});
-    trace.joints.insert(trace.joints.end(), layer.joints(elite), layer.joints(elite) + 3);
+    trace.joints.insert(trace.joints.end(), layer.joints(elite), layer.joints(elite) + layer.dof());
   }
   return trace;
 }
@@ -113,12 +113,13 @@ void expect_draws(const Trace& trace, const std::vector<double>& joints,
   ASSERT_EQ(joints.size(), trace.joints.size());
   for (Eigen::Index k = 0; k < trace.points(); ++k) {
     const Eigen::Vector3d target = robot.plane().to_robot({trace.pen[2 * k], trace.pen[2 * k + 1]});
-    EXPECT_LE((robot.body().position(robot.tip(), &joints[3 * k]) - target).norm(), kTolerance / 10);
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_GE(joints[3 * k + i], robot.lower()[i]);
-      EXPECT_LE(joints[3 * k + i], robot.upper()[i]);
+    const double* held = &joints[k * robot.dof()];
+    EXPECT_LE((robot.body().position(robot.tip(), held) - target).norm(), kTolerance / 10);
+    for (Eigen::Index i = 0; i < robot.dof(); ++i) {
+      EXPECT_GE(held[i], robot.lower()[i]);
+      EXPECT_LE(held[i], robot.upper()[i]);
     }
-    EXPECT_TRUE(robot.clear(&joints[3 * k], kFrame.half_side));
+    EXPECT_TRUE(robot.clear(held, kFrame.half_side));
   }
 }
 
@@ -169,7 +170,7 @@ TEST(PosturePath, MakesNoJumps) {
 TEST(PosturePath, CarriesPosturesPastElitesThatHoldTheArmOtherwise) {
   const RobotOnPlane& robot = three_links();
   for (const double side : {-1.0, 1.0}) {
-    const Elites elites = random_elites(robot, 4000, [&](const Eigen::Vector3d& q) {
+    const Elites elites = random_elites(robot, 4000, [&](const Eigen::VectorXd& q) {
       Pen pen;
       robot.pens(1, q.data(), &pen);
       return side * pen.position[0] * q[1] > 0 && q[1] * q[2] > 0;
@@ -180,6 +181,25 @@ TEST(PosturePath, CarriesPosturesPastElitesThatHoldTheArmOtherwise) {
     const std::vector<double> found = least_travel(robot, layer, trace);
     expect_draws(trace, found);
     EXPECT_LT(largest_step(found, 3), 0.4);
+  }
+}
+
+// Two links, which hold a place in two ways. To the left the elites have one of them, which the shoulder's
+// limit forbids to the right: the other is to be carried back to where no elite has it.
+TEST(PosturePath, HoldsTheArmFromTheStartAsItMustInTheEnd) {
+  const RobotOnPlane robot("two", chain({Turn{-3.2, 2.4}, Turn{}}, "1 0 0", kBeside), "tip",
+                           DrawingPlane::facing({0, 0, 0}, 0, 0, 1), kTolerance);
+  const Elites elites = random_elites(robot, 4000, [&](const Eigen::VectorXd& q) {
+    Pen pen;
+    robot.pens(1, q.data(), &pen);
+    return pen.position[0] > 0.2 || q[1] < 0;
+  });
+  const PointLayer layer(elites, robot, kFrame);
+  for (const double height : {0.3, 0.6, 0.9}) {
+    const Trace trace = along(layer, {-1.2, height}, {1.2, height}, 60);
+    const std::vector<double> found = least_travel(robot, layer, trace);
+    expect_draws(trace, found, robot);
+    EXPECT_LT(largest_step(found, 2), 1) << height;
   }
 }
 
