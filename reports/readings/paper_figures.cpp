@@ -68,6 +68,7 @@ std::vector<PaperFigure> read_paper_figures(const std::filesystem::path& path) {
 }
 
 std::optional<double> distance_of_all(const std::vector<std::optional<double>>& distances) {
+  if (distances.empty()) return {};
   double sum = 0;
   for (const std::optional<double>& distance : distances) {
     if (!distance) return {};

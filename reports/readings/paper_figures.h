@@ -22,7 +22,7 @@ struct PaperFigure {
 // Throws InputError: file, line, what was expected and found.
 std::vector<PaperFigure> read_paper_figures(const std::filesystem::path& path);
 
-// Root of the mean square, each at most kFarthest; nothing where one is missing.
+// Root of the mean square, each at most kFarthest; nothing where one is missing, or all are.
 inline constexpr double kFarthest = 10;
 std::optional<double> distance_of_all(const std::vector<std::optional<double>>& distances);
 

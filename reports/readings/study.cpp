@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/factorial.h"
@@ -104,13 +105,30 @@ class Study {
   const std::vector<StudiedRun>& runs_;
 };
 
-// Places of the runs, the least distance first; those without one at the end.
-std::vector<std::size_t> nearest_first(const Responses& distances) {
-  std::vector<std::size_t> places(distances.size());
+// Whether the readings move a figure, or leave some run without it.
+bool differ(const Responses& xs) {
+  return std::ranges::adjacent_find(xs, std::ranges::not_equal_to()) != xs.end();
+}
+
+// How many of the claims a run reproduces, partly or not.
+json verdicts_of(const json& claims, std::size_t run) {
+  json count{{"reproduced", 0}, {"partly", 0}, {"not", 0}};
+  for (const json& claim : claims)
+    if (const std::string verdict = claim.at("verdicts")[run]; count.contains(verdict))
+      count[verdict] = count[verdict].get<int>() + 1;
+  return count;
+}
+
+// Places of the runs, as study.h says.
+std::vector<std::size_t> nearest_first(const json& runs) {
+  const auto rank = [&](std::size_t i) {
+    const json &run = runs[i], &distance = run.at("distance"), &claims = run.at("claims");
+    return std::tuple(distance.is_null() ? std::numeric_limits<double>::infinity() : distance.get<double>(),
+                      -claims.at("reproduced").get<int>(), claims.at("not").get<int>());
+  };
+  std::vector<std::size_t> places(runs.size());
   std::iota(places.begin(), places.end(), 0);
-  std::ranges::stable_sort(places, {}, [&](std::size_t i) {
-    return distances[i].value_or(std::numeric_limits<double>::infinity());
-  });
+  std::ranges::stable_sort(places, {}, rank);
   return places;
 }
 
@@ -120,11 +138,13 @@ json study_readings(const std::vector<StudiedReading>& readings, const std::vect
                     const std::filesystem::path& figures_file, const std::filesystem::path& claims) {
   const Study study(readings, runs);
   json named = json::array(), figures = json::array(), all = json::array();
+  const json answered = study.claims(claims);
   for (const StudiedReading& reading : readings)
     named.push_back({{"id", reading.id}, {"values", reading.values}});
   std::vector<Responses> distances(runs.size());
   for (const PaperFigure& figure : read_paper_figures(figures_file)) {
     const Responses xs = study.measured(figure);
+    if (!differ(xs)) continue;
     for (std::size_t r = 0; r < runs.size(); ++r)
       distances[r].push_back(xs[r] ? std::optional(figure.distance(*xs[r])) : std::nullopt);
     figures.push_back({{"id", figure.id},
@@ -135,19 +155,17 @@ json study_readings(const std::vector<StudiedReading>& readings, const std::vect
                        {"x", numbers(xs)},
                        {"moved", study.moved(xs)}});
   }
-  Responses whole;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    whole.push_back(distance_of_all(distances[r]));
+  for (std::size_t r = 0; r < runs.size(); ++r)
     all.push_back({{"name", runs[r].name},
                    {"levels", runs[r].levels},
                    {"distances", numbers(distances[r])},
-                   {"distance", or_null(whole.back())}});
-  }
+                   {"distance", or_null(distance_of_all(distances[r]))},
+                   {"claims", verdicts_of(answered, r)}});
   return {{"readings", named},
           {"runs", all},
-          {"nearest", nearest_first(whole)},
+          {"nearest", nearest_first(all)},
           {"figures", figures},
-          {"claims", study.claims(claims)}};
+          {"claims", answered}};
 }
 
 }  // namespace hbr::inline reports

@@ -23,9 +23,12 @@ struct StudiedRun {
 // The contents of readings.json:
 //   readings  [{id, values}]
 //   runs      [{name, levels, distances: of each figure (null where it could not be computed), distance: of
-//             all (null likewise)}], in order of the combinations
-//   nearest   place among the runs, the least distance first
-//   figures   [{id, place, words, median, quartiles, x: of each run (null ...), moved}]
+//             all (null likewise), claims: how many it {reproduced, partly, not}}], in order of the
+//             combinations
+//   nearest   place among the runs, the least distance first; of equals, and where the readings move none of
+//             the figures, the one that reproduces more claims, then the one that contradicts fewer
+//   figures   [{id, place, words, median, quartiles, x: of each run (null ...), moved}] of those that differ
+//             between the runs
 //   claims    [{id, statement, place, verdicts: the indication of each run, checks: [{words, x, moved}]}], of
 //             claims that a result decides and that any run can answer
 // `moved` is null where a run has no x, otherwise the analysis of variance of x (of ln x where all are

@@ -38,7 +38,7 @@ class StudyTables {
 
   // The nearest combinations, and the plain run wherever it stands.
   std::string nearest() const {
-    Row head{"Rank", "Distance"};
+    Row head{"Rank", "Distance", "Claims reproduced / partly / not"};
     head.insert(head.end(), titles_.begin(), titles_.end());
     for (const json& figure : study_.at("figures"))
       head.push_back(fmt::format("{}<br><small>paper {}</small>", text(figure.at("words")),
@@ -51,11 +51,12 @@ class StudyTables {
       const bool plain = run.at("name").get<std::string>().empty();
       if (rank < kShown || plain) rows.push_back(combination(rank, place, run, plain));
     }
-    return html_table("Combinations of readings that come nearest to the paper’s figures", head, rows);
+    return html_table("Combinations of readings that come nearest to the paper", head, rows);
   }
 
   // What each reading does to each figure.
   std::string figures() const {
+    if (study_.at("figures").empty()) return "";
     Row head{"Figure"};
     head.insert(head.end(), titles_.begin(), titles_.end());
     head.insert(head.end(), {"Two together", "Unexplained"});
@@ -68,7 +69,10 @@ class StudyTables {
       row.push_back(moved.is_null() ? "–" : percent(moved.at("unexplained")));
       rows.push_back(row);
     }
-    return html_table("What each reading does to the paper’s figures", head, rows);
+    return "<p>How a figure is multiplied by each value of a reading, and the share of the variance over all "
+           "combinations that the reading explains; bold where that is 5 % or more and, where it can be "
+           "tested, p &lt; 0.05.</p>\n" +
+           html_table("What each reading does to the paper’s figures", head, rows);
   }
 
   std::string claims() const {
@@ -102,9 +106,11 @@ class StudyTables {
   }
 
   Row combination(std::size_t rank, std::size_t place, const json& run, bool plain) const {
-    const json& distance = run.at("distance");
+    const json &distance = run.at("distance"), &claims = run.at("claims");
     Row row{fmt::format("{}{}", rank + 1, plain ? " (this run)" : ""),
-            distance.is_null() ? "–" : fmt::format("{:.2f}", distance.get<double>())};
+            distance.is_null() ? "–" : fmt::format("{:.2f}", distance.get<double>()),
+            fmt::format("{} / {} / {}", claims.at("reproduced").get<int>(), claims.at("partly").get<int>(),
+                        claims.at("not").get<int>())};
     for (std::size_t r = 0; r < titles_.size(); ++r) {
       const auto level = run.at("levels")[r].get<std::size_t>();
       const std::string value = text(study_.at("readings")[r].at("values")[level]);
@@ -170,11 +176,9 @@ std::string study_html(const json& study, const json& ledger) {
       "<section id=\"readings-study\">\n<h2>Readings taken together</h2>\n"
       "<p>Which experiment did the paper run? {} combinations of {} readings were run, each with the random "
       "numbers of this run. A combination’s distance from the paper is the root of the mean square of its "
-      "distances from the figures below, 1 being as far as the paper’s own quartiles (10 % where it gives "
-      "none), by a rule that was written down before the study ran.</p>\n{}"
-      "<p>How a figure is multiplied by each value of a reading, and the share of the variance over all "
-      "combinations that the reading explains; bold where that is 5 % or more and, where it can be tested, p "
-      "&lt; 0.05.</p>\n{}{}</section>\n",
+      "distances from the figures that the readings move, 1 being as far as the paper’s own quartiles (10 % "
+      "where it gives none), by a rule that was written down before the study ran; where they move none, the "
+      "one that reproduces more of the claims is nearer.</p>\n{}{}{}</section>\n",
       study.at("runs").size(), study.at("readings").size(), tables.nearest(), tables.figures(),
       tables.claims());
 }

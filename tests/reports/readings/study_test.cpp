@@ -70,6 +70,7 @@ TEST_F(StudyOfReadings, ADistanceIsInHalfTheQuartiles) {
   EXPECT_NEAR(distance_of_all({3.0, 4.0}).value(), std::sqrt(12.5), 1e-12);
   EXPECT_NEAR(distance_of_all({99.0}).value(), kFarthest, 1e-12);
   EXPECT_FALSE(distance_of_all({1.0, {}}));
+  EXPECT_FALSE(distance_of_all({}));
 }
 
 TEST_F(StudyOfReadings, RanksCombinationsAndSaysWhatMovesThem) {
@@ -108,6 +109,26 @@ TEST_F(StudyOfReadings, SaysWhatWasNotMeasured) {
   EXPECT_TRUE(study["runs"][2]["distance"].is_null());
   EXPECT_EQ(study["nearest"][3], 2);
   EXPECT_THAT(study_html(study, json::array()), HasSubstr("–"));
+}
+
+// Readings that move no figure of the paper's, as those of the digits: the claims decide.
+TEST_F(StudyOfReadings, RanksByClaimsWhereNoFigureMoves) {
+  std::vector<StudiedRun> same = runs();
+  for (StudiedRun& run : same)
+    run.statistics["quantities"]["layer2.n10.size"] = same[0].statistics["quantities"]["layer2.n10.size"];
+  const json study = study_readings(readings_, same, file(figure("quartiles = []")), kClaimFile);
+  EXPECT_TRUE(study["figures"].empty());
+  EXPECT_TRUE(study["runs"][0]["distance"].is_null());
+  // Flat arcs that are 2.4 times worse reproduce "twice better fitness", those that are 1.6 times worse
+  // partly.
+  EXPECT_EQ(study["nearest"], (json{1, 3, 0, 2}));
+  EXPECT_GT(study["runs"][1]["claims"]["reproduced"], study["runs"][0]["claims"]["reproduced"]);
+  int claims = 0;
+  for (const json& count : study["runs"][0]["claims"]) claims += count.get<int>();
+  EXPECT_LE(claims, static_cast<int>(study["claims"].size()));
+  const std::string html = study_html(study, json::array());
+  EXPECT_THAT(html, HasSubstr("Claims reproduced / partly / not"));
+  EXPECT_THAT(html, Not(HasSubstr("What each reading does")));
 }
 
 TEST_F(StudyOfReadings, BecomesASection) {
