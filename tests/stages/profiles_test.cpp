@@ -58,10 +58,38 @@ TEST(Profiles, LinesNeedNoDataset) {
   EXPECT_TRUE(by_output(lines).contains("flat_arcs/49.h5"));
 }
 
-// A reading of the digits reaches the stages that draw by it, and no layer below; what combinations share is
-// made once.
+// A variation of a reading reaches the stages that draw by it, and no layer below.
 TEST(Profiles, ReadingsOfTheDigits) {
   const Graph graph = experiment_graph(kProfiles / "digits_readings.toml");
+  const auto nodes = by_output(graph);
+  const std::map<std::string, std::set<std::string>> touched{{"workspace", {"layer4", "flat_digits"}},
+                                                             {"joints", {"flat_digits"}},
+                                                             {"straight_arm", {"flat_digits"}},
+                                                             {"axes", {"layer4"}},
+                                                             {"reject", {"layer4"}}};
+  std::map<std::string, std::set<std::string>> run;
+  for (const Node& node : graph)
+    if (!node.variation.empty() && node.stage != "statistics" && node.stage != "digit_verdicts" &&
+        node.stage != "surest_digits" && node.stage != "digit_turns")
+      run[node.variation].insert(node.stage);
+  EXPECT_EQ(run, touched);
+  for (const auto& [output, pen, start] :
+       {std::tuple("flat_digits/02.h5", "straight", "first"),
+        std::tuple("joints/flat_digits/02.h5", "joints", "first"),
+        std::tuple("straight_arm/flat_digits/02.h5", "straight", "straight_arm")}) {
+    EXPECT_EQ(nodes.at(output).settings["layer"]["pen"], pen);
+    EXPECT_EQ(nodes.at(output).settings["layer"]["start"], start);
+  }
+  EXPECT_EQ(nodes.at("layer4/00.h5").settings["layer"]["out_of_range"], "radius");
+  EXPECT_EQ(nodes.at("axes/layer4/00.h5").settings["layer"]["out_of_range"], "axes");
+  EXPECT_EQ(nodes.at("reject/layer4/00.h5").settings["layer"]["out_of_range"], "reject");
+  EXPECT_EQ(nodes.at("workspace/layer4/00.h5").settings["layer"]["pencil"]["framing"], "workspace");
+}
+
+// A reading of the digits reaches the stages that draw by it, and no layer below; what combinations share is
+// made once.
+TEST(Profiles, ReadingsOfTheDigitsTogether) {
+  const Graph graph = experiment_graph(kProfiles / "digits_together.toml");
   const auto nodes = by_output(graph);
   std::map<std::string, std::set<nlohmann::json>> made;
   for (const Node& node : graph)
