@@ -21,15 +21,18 @@ struct Search {
 
 bool draws_arcs(const ArtifactName& name) { return name.head == "layer3" || name.head == "flat_arcs"; }
 
-// Each genome is executed once for every sample of its stochastic descriptor.
+// A genome that is executed from starts is so once for every sample of its stochastic descriptor, or once
+// where its descriptor holds the start.
 void add_executions(const Hdf5Reader& file, const std::string& prefix, double evaluations,
                     StatisticsTable& table) {
   if (!file.has_attribute("settings")) return;
   const auto settings = parse_json(file.text_attribute("settings"), file.path().string() + ": settings");
   if (!settings.is_object() || !settings.contains("layer") || !settings["layer"].is_object()) return;
-  const auto samples = settings["layer"].find("samples");
-  if (samples != settings["layer"].end() && samples->is_number())
-    table.number(prefix + ".executions", evaluations * samples->get<double>());
+  const auto& layer = settings["layer"];
+  if (!layer.contains("starts")) return;
+  const auto samples = layer.find("samples");
+  table.number(prefix + ".executions",
+               evaluations * (samples != layer.end() && samples->is_number() ? samples->get<double>() : 1));
 }
 
 Search read_search(const Artifact& artifact, StatisticsTable& table) {

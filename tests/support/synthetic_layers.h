@@ -54,9 +54,16 @@ class SyntheticLayers {
       }
       Hdf5Writer file(place(stage, r));
       write_elites(file, elites, progress);
-      file.attribute("settings", fmt::format("{{\"layer\":{{\"samples\":{}}}}}", samples));
+      file.attribute("settings", settings_of(stage, samples));
       file.close();
     }
+  }
+
+  // Of the keys that a kind of layer asks for those that say how its genomes are executed.
+  static std::string settings_of(const std::string& stage, int samples) {
+    const bool sampled = stage.starts_with("layer2") || stage.starts_with("layer3");
+    return fmt::format(R"({{"layer": {{{}{}}}}})", sampled ? fmt::format(R"("samples": {}, )", samples) : "",
+                       sampled || stage == "reference4d" ? R"("starts": "elites")" : R"("cost": "")");
   }
 
   // Values around `middle`, 5 % wide, one array for each replication.
