@@ -71,20 +71,6 @@ TEST(Collect, SearchesBySizeBestAndMean) {
   EXPECT_EQ(found["curves"]["layer2.n10"]["at"].size(), 21u);
 }
 
-// A genome is executed once for each of its samples, or once where its descriptor holds the start; genomes
-// that start nowhere in particular have no executions.
-TEST(Collect, ExecutionsOfWhatIsSampled) {
-  TemporaryFolder folder;
-  SyntheticExperiment experiment(folder.path(), 1);
-  experiment.search("layer2_n10", 40, 2, -0.1, -0.5, 100, 10);
-  experiment.search("reference4d", 40, 4, -0.1, -0.5, 50);
-  experiment.search("layer1", 40, 8, -0.1, -0.5, 100);
-  const json found = collect_statistics("tiny", experiment.artifacts())["numbers"];
-  EXPECT_EQ(found["layer2.n10.executions"]["value"], 200000);
-  EXPECT_EQ(found["reference4d.executions"]["value"], 10000);
-  EXPECT_FALSE(found.contains("layer1.executions"));
-}
-
 // The flat baseline runs three times longer: what it had at the end of layer 3 is in its course.
 TEST(Collect, EqualGenerationsOfLayerAndBaseline) {
   TemporaryFolder folder;

@@ -1,0 +1,26 @@
+// How often the genomes of a search were executed.
+#include <gtest/gtest.h>
+
+#include "pipeline/statistics/collect.h"
+#include "tests/support/synthetic_experiment.h"
+#include "tests/support/temporary_folder.h"
+
+namespace hbr {
+namespace {
+
+// A genome is executed once for each of its samples, or once where its descriptor holds the start; genomes
+// that start nowhere in particular have no executions.
+TEST(Collect, ExecutionsOfWhatIsSampled) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 1);
+  experiment.search("layer2_n10", 40, 2, -0.1, -0.5, 100, 10);
+  experiment.search("reference4d", 40, 4, -0.1, -0.5, 50);
+  experiment.search("layer1", 40, 8, -0.1, -0.5, 100);
+  const nlohmann::json found = collect_statistics("tiny", experiment.artifacts())["numbers"];
+  EXPECT_EQ(found["layer2.n10.executions"]["value"], 200000);
+  EXPECT_EQ(found["reference4d.executions"]["value"], 10000);
+  EXPECT_FALSE(found.contains("layer1.executions"));
+}
+
+}  // namespace
+}  // namespace hbr
