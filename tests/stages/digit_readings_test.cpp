@@ -28,13 +28,13 @@ TEST(Profiles, ReadingsOfTheDigits) {
        {std::tuple("flat_digits/02.h5", "straight", "first"),
         std::tuple("joints/flat_digits/02.h5", "joints", "first"),
         std::tuple("straight_arm/flat_digits/02.h5", "straight", "straight_arm")}) {
-    EXPECT_EQ(nodes.at(output).settings["layer"]["pen"], pen);
-    EXPECT_EQ(nodes.at(output).settings["layer"]["start"], start);
+    EXPECT_EQ(nodes.at(output).settings.at("layer")["pen"], pen);
+    EXPECT_EQ(nodes.at(output).settings.at("layer")["start"], start);
   }
-  EXPECT_EQ(nodes.at("layer4/00.h5").settings["layer"]["out_of_range"], "radius");
-  EXPECT_EQ(nodes.at("axes/layer4/00.h5").settings["layer"]["out_of_range"], "axes");
-  EXPECT_EQ(nodes.at("reject/layer4/00.h5").settings["layer"]["out_of_range"], "reject");
-  EXPECT_EQ(nodes.at("workspace/layer4/00.h5").settings["layer"]["pencil"]["framing"], "workspace");
+  EXPECT_EQ(nodes.at("layer4/00.h5").settings.at("layer")["out_of_range"], "radius");
+  EXPECT_EQ(nodes.at("axes/layer4/00.h5").settings.at("layer")["out_of_range"], "axes");
+  EXPECT_EQ(nodes.at("reject/layer4/00.h5").settings.at("layer")["out_of_range"], "reject");
+  EXPECT_EQ(nodes.at("workspace/layer4/00.h5").settings.at("layer")["pencil"]["framing"], "workspace");
 }
 
 // A reading of the digits reaches the stages that draw by it, and no layer below; what combinations share is
@@ -45,17 +45,17 @@ TEST(Profiles, ReadingsOfTheDigitsTogether) {
   const auto nodes = by_output(graph);
   std::map<std::string, std::set<nlohmann::json>> made;
   for (const Node& node : graph)
-    if (node.output.find("readings_") == 0 && node.output.ends_with(".h5"))
-      made[node.stage].insert(node.settings["layer"]);
+    if (node.output.starts_with("readings_") && node.settings.contains("layer"))
+      made[node.stage].insert(node.settings.at("layer"));
   EXPECT_EQ(made["layer4"].size(), 2 * 3 - 1u);  // framings and ranges, but for the plain one
   EXPECT_EQ(made["flat_digits"].size(), 2 * 2 * 2 - 1u);
   for (const char* below : {"autoencoder", "layer1", "layer2_n10", "layer3_b"})
     EXPECT_FALSE(made.contains(below)) << below;
   // Of each combination (framing, range, pen, start) one digit.
-  const auto& digits = nodes.at("layer4/00.h5").settings["layer"];
+  const auto& digits = nodes.at("layer4/00.h5").settings.at("layer");
   EXPECT_EQ(digits["out_of_range"], "radius");
   EXPECT_EQ(digits["pencil"]["framing"], "box");
-  const auto flat = nodes.at("readings_1011/flat_digits/00.h5").settings["layer"];
+  const auto flat = nodes.at("readings_1011/flat_digits/00.h5").settings.at("layer");
   EXPECT_EQ(flat["pencil"]["framing"], "workspace");
   EXPECT_EQ(flat["pen"], "joints");
   EXPECT_EQ(flat["start"], "straight_arm");
