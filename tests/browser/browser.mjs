@@ -11,7 +11,7 @@ export class Browser {
     browser.process = spawn(program, ["--headless=new", "--remote-debugging-pipe", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
       "--no-first-run", "--disable-dev-shm-usage", "--disable-background-networking", "--disable-extensions", "--mute-audio",
       `--user-data-dir=${browser.profile}`],
-      { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+      { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"], detached: true });
     browser.listen();
     await browser.send("Browser.getVersion");
     return browser;
@@ -53,7 +53,7 @@ export class Browser {
 
   async close() {
     const ended = new Promise((resolve) => this.process.once("exit", resolve));
-    this.process.kill("SIGKILL");
+    process.kill(-this.process.pid, "SIGKILL");  // its group: what it started writes into the profile, too
     await ended;
     rmSync(this.profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 });
   }
