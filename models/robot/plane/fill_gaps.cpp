@@ -1,6 +1,8 @@
 #include "models/robot/plane/fill_gaps.h"
 
 #include <optional>
+#include <set>
+#include <vector>
 
 #include "models/robot/plane/project_onto_plane.h"
 #include "models/robot/plane/reach.h"
@@ -18,11 +20,14 @@ class Gaps {
       : robot_(robot), frame_(frame), points_(points), spacing_(spacing) {}
 
   void fill(Elites& elites, Seed seed) const {
-    while (pass(elites, [&](const auto& target, const auto& away) { return near(elites, target, away); })) {
+    std::vector<std::set<Eigen::Index>> tried(static_cast<std::size_t>(points_.rows()));
+    while (pass(elites, [&](Eigen::Index gap, const auto& target, const auto& away) {
+      return near(elites, target, away, tried[static_cast<std::size_t>(gap)]);
+    })) {
     }
     const Board board{robot_.plane(), frame_.half_side};
     std::optional<Reach> reach;
-    pass(elites, [&](const auto& target, const auto&) {
+    pass(elites, [&](Eigen::Index, const auto& target, const auto&) {
       if (!reach) reach.emplace(robot_.body(), robot_.tip(), robot_.clearance(), kSamples, 0, seed);
       const double enough = robot_.off_plane_tolerance() / 10;
       return Found{-1, arrive(reach->nearest(target, board, kAnywhere, enough).joints, target)};
@@ -35,12 +40,16 @@ class Gaps {
     Eigen::VectorXf genes;  // empty: there is no way
   };
 
-  Found near(const Elites& elites, const Eigen::Vector3d& target, Eigen::VectorXf away) const {
+  // From the elites nearest to the gap, but for those `tried` for it before: what did not lead there then
+  // does not lead there now.
+  Found near(const Elites& elites, const Eigen::Vector3d& target, Eigen::VectorXf away,
+             std::set<Eigen::Index>& tried) const {
     Eigen::VectorXd joints(robot_.dof());
     for (int k = 0; k < kNear; ++k) {
       Eigen::Index start = 0;
       away.minCoeff(&start);
       away[start] = 1e9f;
+      if (!tried.insert(start).second) continue;
       decode_joints(robot_, elites.solution.row(start).data(), joints.data());
       if (Eigen::VectorXf genes = arrive(joints, target); genes.size() > 0) return {start, std::move(genes)};
     }
@@ -57,7 +66,7 @@ class Gaps {
     return genes;
   }
 
-  // Calls find(target, distances of all elites from there) for each gap; whether any was filled.
+  // Calls find(gap, target, distances of all elites from there) for each gap; whether any was filled.
   template <class Find>
   bool pass(Elites& elites, const Find& find) const {
     bool any = false;
@@ -67,7 +76,7 @@ class Gaps {
       if (away.minCoeff() <= spacing_) continue;
       const Eigen::Vector3d target =
           robot_.plane().to_robot(frame_.point(points_.row(i).transpose().cast<double>()));
-      const Found found = find(target, away);
+      const Found found = find(i, target, away);
       if (found.genes.size() == 0) continue;
       const Eigen::Index row = elites.size();
       elites.solution.conservativeResize(row + 1, Eigen::NoChange);
