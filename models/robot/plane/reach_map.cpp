@@ -80,9 +80,9 @@ ReachMap::ReachMap(const Body& body, int tip, const Clearance& clearance, int sa
     body.positions(tip, static_cast<Eigen::Index>(end - begin), &joints[begin * dof], &tips[begin]);
   });
   if (only_a_curve(body, tip, joints))
-    throw InputError("{}: {} move '{}' along a curve; expected joints that move it over a plane",
+    throw InputError("{}: {} {} '{}' along a curve; expected joints that move it over a plane",
                      body.model().path.string(), fmt::join(body.moving(), ", "),
-                     body.model().links[tip].name);
+                     body.moving().size() == 1 ? "moves" : "move", body.model().links[tip].name);
   for (const Eigen::Vector3d& place : tips) box_.extend(place);
   flattest_ = least_spread(tips);
   cell_ = std::max(box_.sizes().maxCoeff() / kCells, 1e-9);
