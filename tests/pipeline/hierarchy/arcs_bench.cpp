@@ -26,7 +26,7 @@ void draw_arcs(benchmark::State& state, const Evaluator& evaluator, int n, int g
   Rng rng(Seed(10));
   batch.genome = Rows::NullaryExpr(n, genes, [&] { return rng.uniform(); });
   std::uint64_t generation = 0;
-  evaluator.evaluate(batch, 0, n, Seed(11).child(generation++));  // a layer makes its table when it is first asked
+  evaluator.evaluate(batch, 0, n, Seed(11).child(generation++));  // a layer makes its table when first asked
   for (auto _ : state) {
     evaluator.evaluate(batch, 0, n, Seed(11).child(generation++));
     benchmark::DoNotOptimize(batch.descriptor.data());

@@ -19,7 +19,7 @@ void draw_lines(benchmark::State& state, const Evaluator& evaluator, int n) {
   Batch batch(n, 2, 2);
   batch.genome = random_genomes(n, 2);
   std::uint64_t generation = 0;
-  evaluator.evaluate(batch, 0, n, Seed(8).child(generation++));  // a layer makes its table when it is first asked
+  evaluator.evaluate(batch, 0, n, Seed(8).child(generation++));  // a layer makes its table when first asked
   for (auto _ : state) {
     evaluator.evaluate(batch, 0, n, Seed(8).child(generation++));
     benchmark::DoNotOptimize(batch.descriptor.data());
