@@ -294,7 +294,8 @@ coverage: $(packages) $(BUILD)/coverage/build.ninja
 	@.ci/packages "$$GIVEN_DEPS" coverage
 	@find $(BUILD)/coverage -name '*.gcda' -delete
 	$(call run_tests,coverage,tests)
-	@lcov --quiet --capture --directory $(BUILD)/coverage --output-file $(BUILD)/coverage/all.info
+	@lcov --quiet --capture --directory $(BUILD)/coverage --base-directory "$$PWD" --no-external \
+	  --output-file $(BUILD)/coverage/all.info
 	@lcov --quiet --extract $(BUILD)/coverage/all.info "$$PWD/pipeline/*" "$$PWD/models/*" "$$PWD/reports/*" \
 	  "$$PWD/stages/*" --output-file $(BUILD)/coverage/own.info
 	@genhtml --quiet --output-directory $(BUILD)/coverage/html $(BUILD)/coverage/own.info
