@@ -19,4 +19,6 @@ foreach(folder pipeline/core pipeline/qd pipeline/drawing pipeline/hierarchy mod
 endforeach()
 install(EXPORT hbr NAMESPACE hbr:: FILE hbrTargets.cmake DESTINATION ${package})
 configure_file(pipeline/hbrConfig.cmake.in hbrConfig.cmake @ONLY)
-install(FILES ${CMAKE_BINARY_DIR}/hbrConfig.cmake DESTINATION ${package})
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file(hbrConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/hbrConfig.cmake ${CMAKE_BINARY_DIR}/hbrConfigVersion.cmake DESTINATION ${package})

@@ -1,6 +1,7 @@
 #include "pipeline/artifact/version.h"
 
 #include <fstream>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/core/check.h"
@@ -21,23 +22,35 @@ std::string first_line(const std::vector<std::string>& command) {
   }
 }
 
-// The description, or where no tag is near the commit; git puts them in when it makes an archive.
-std::string archived(const fs::path& file) {
-  std::string version;
-  std::ifstream(file) >> version;
-  return version.starts_with('$') ? "" : version;
+// "1.0.0"; empty where the file is not or does not say.
+std::string release_in(const fs::path& citation) {
+  constexpr std::string_view key = "version: ";
+  std::ifstream file(citation);
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(key)) return line.substr(key.size());
+  }
+  return "";
 }
+
+// Empty where git has not put one in, which it does when it makes an archive.
+std::string archived_commit(const fs::path& file) {
+  std::string commit;
+  std::ifstream(file) >> commit;
+  return commit.starts_with('$') ? "" : commit;
+}
+
+// What the first of them says.
+std::string first_of(const std::string& one, const std::string& other) { return one.empty() ? other : one; }
 
 }  // namespace
 
 std::string version_of(const fs::path& repository) {
   // The folder of git's own is named, so that none further up is found, and whoever owns it.
-  const std::string version =
+  const std::string commit =
       first_line({"git", "--git-dir=" + (repository / ".git").string(), "--work-tree=" + repository.string(),
-                  "describe", "--always", "--dirty", "--tags"});
-  if (!version.empty()) return version;
-  const std::string told = archived(repository / ".version");
-  return told.empty() ? "unknown" : told;
+                  "describe", "--always", "--dirty", "--exclude", "*"});
+  return first_of(release_in(repository / "CITATION.cff"), "unknown") + '+' +
+         first_of(first_of(commit, archived_commit(repository / ".version")), "unknown");
 }
 
 }  // namespace hbr::inline artifact

@@ -26,8 +26,9 @@ class Version : public testing::Test {
     fs::copy(HBR_SOURCE_DIR "/.gitattributes", repository_);
     std::string told;
     std::getline(std::ifstream(HBR_SOURCE_DIR "/.version"), told);
-    if (!told.starts_with('$')) told = "$Format:%(describe:tags=true) %h$";  // these sources are an archive's
+    if (!told.starts_with('$')) told = "$Format:%h$";  // these sources are an archive's
     std::ofstream(repository_ / ".version") << told << '\n';
+    std::ofstream(repository_ / "CITATION.cff") << "type: software\nversion: 1.2.3\nyear: 2018\n";
     git({"init", "-q"});
     git({"add", "."});
     git({"-c", "user.name=a", "-c", "user.email=a@b.c", "commit", "-q", "-m", "first"});
@@ -45,34 +46,39 @@ class Version : public testing::Test {
   }
 };
 
-TEST_F(Version, IsWhatGitSays) {
-  EXPECT_THAT(version_of(repository_), MatchesRegex("[0-9a-f]{7,}"));
-  git({"tag", "v1.2"});
-  EXPECT_EQ(version_of(repository_), "v1.2");
+TEST_F(Version, IsTheReleaseAndWhatGitSays) {
+  EXPECT_THAT(version_of(repository_), MatchesRegex("1\\.2\\.3\\+[0-9a-f]{7,}"));
+  const std::string version = version_of(repository_);
+  git({"tag", "v7"});
+  EXPECT_EQ(version_of(repository_), version) << "a tag is not a second place for the release";
   std::ofstream(repository_ / ".gitattributes") << "changed\n";
-  EXPECT_EQ(version_of(repository_), "v1.2-dirty");
+  EXPECT_EQ(version_of(repository_), version + "-dirty");
 }
 
 TEST_F(Version, StaysWithAnArchive) {
-  const std::string version = version_of(repository_);
-  EXPECT_EQ(version_of(unpacked(folder_.path() / "untagged")), version);
-  git({"tag", "v1.2"});
-  EXPECT_EQ(version_of(unpacked(folder_.path() / "tagged")), "v1.2");
+  EXPECT_EQ(version_of(unpacked(folder_.path() / "unpacked")), version_of(repository_));
 }
 
 TEST_F(Version, IsNeverThatOfARepositoryFurtherUp) {
-  git({"tag", "outer"});
   fs::create_directories(repository_ / "inner");
-  EXPECT_EQ(version_of(repository_ / "inner"), "unknown");
-  std::ofstream(repository_ / "inner/.version") << "v3-4-gabcdef abcdef\n";
-  EXPECT_EQ(version_of(repository_ / "inner"), "v3-4-gabcdef");
+  EXPECT_EQ(version_of(repository_ / "inner"), "unknown+unknown");
+  fs::copy(repository_ / "CITATION.cff", repository_ / "inner");
+  EXPECT_EQ(version_of(repository_ / "inner"), "1.2.3+unknown");
+  std::ofstream(repository_ / "inner/.version") << "abcdef0\n";
+  EXPECT_EQ(version_of(repository_ / "inner"), "1.2.3+abcdef0");
 }
 
 TEST_F(Version, IsUnknownWhereNobodySaid) {
   fs::remove_all(repository_ / ".git");
-  EXPECT_EQ(version_of(repository_), "unknown");
+  EXPECT_EQ(version_of(repository_), "1.2.3+unknown");
   fs::remove(repository_ / ".version");
-  EXPECT_EQ(version_of(repository_), "unknown");
+  fs::remove(repository_ / "CITATION.cff");
+  EXPECT_EQ(version_of(repository_), "unknown+unknown");
+}
+
+// A release of these sources is three numbers, so that CMake and users can compare it.
+TEST(Release, IsThreeNumbers) {
+  EXPECT_THAT(version_of(HBR_SOURCE_DIR), MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\\+.+"));
 }
 
 }  // namespace
