@@ -37,6 +37,37 @@ TEST(Profiles, ReadingsOfTheDigits) {
   EXPECT_EQ(nodes.at("workspace/layer4/00.h5").settings.at("layer")["pencil"]["framing"], "workspace");
 }
 
+// A reading of the network trains another one, and makes what it places; the scale of its space only what it
+// places.
+TEST(Profiles, ReadingsOfTheNetwork) {
+  const Graph graph = experiment_graph(kProfiles / "networks.toml");
+  const auto nodes = by_output(graph);
+  std::map<std::string, std::set<std::string>> made;
+  for (const Node& node : graph)
+    if (!node.variation.empty() && (node.stage == "autoencoder" || node.settings.contains("layer")))
+      made[node.variation].insert(node.stage);
+  const std::set<std::string> placed{"layer4", "flat_digits"},
+      trained{"autoencoder", "layer4", "flat_digits"};
+  const std::map<std::string, std::set<std::string>> expected{{"linear", trained},
+                                                              {"tanh", trained},
+                                                              {"rectifier", trained},
+                                                              {"every_epoch", trained},
+                                                              {"scaled", placed}};
+  EXPECT_EQ(made, expected);
+  const auto plain = nodes.at("autoencoder/04.h5").settings;
+  const auto tanh = nodes.at("tanh/autoencoder/04.h5").settings;
+  EXPECT_EQ(plain.at("autoencoder").at("hidden"), "leaky");
+  EXPECT_EQ(tanh.at("autoencoder").at("hidden"), "tanh");
+}
+
+// A line's way-points concern arcs and digits, and through them the robot's; lines themselves start anywhere.
+TEST(Profiles, WayPointsOfAnOpenLoop) {
+  std::set<std::string> made;
+  for (const Node& node : experiment_graph(kProfiles / "drawing.toml"))
+    if (node.variation == "open_loop" && node.settings.contains("layer")) made.insert(node.stage);
+  EXPECT_EQ(made, (std::set<std::string>{"layer3_b", "layer4", "flat_digits"}));
+}
+
 // A reading of the digits reaches the stages that draw by it, and no layer below; what combinations share is
 // made once.
 TEST(Profiles, ReadingsOfTheDigitsTogether) {
