@@ -3,113 +3,15 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
-#include <cstdint>
-#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
 
 #include "pipeline/core/check.h"
-#include "pipeline/core/random.h"
 
 namespace hbr::inline statistics {
 namespace {
-
-constexpr std::int64_t kMostCombinations = 65536;
-// Of the search for a balanced choice: tries from random choices, fewer where each is long.
-constexpr std::size_t kMostTries = 300, kWork = 10'000'000;
-
-std::vector<Levels> all_combinations(const std::vector<int>& levels) {
-  std::int64_t count = 1;
-  for (const int n : levels) {
-    HBR_CHECK(n >= 2, "a factor of {} levels", n);
-    count *= n;
-    if (count > kMostCombinations)
-      throw InputError("more than {} combinations; expected fewer factors or levels", kMostCombinations);
-  }
-  std::vector<Levels> all;
-  Levels now(levels.size(), 0);
-  for (std::int64_t i = 0; i < count; ++i) {
-    all.push_back(now);
-    for (std::size_t f = levels.size(); f-- > 0;) {
-      if (++now[f] < levels[f]) break;
-      now[f] = 0;
-    }
-  }
-  return all;
-}
-
-std::int64_t agreement(const std::vector<int>& levels, const Levels& a, const Levels& b) {
-  std::int64_t sum = 0;
-  for (std::size_t f = 0; f < levels.size(); ++f) sum += a[f] == b[f] ? levels[f] : 0;
-  return sum * sum * sum * sum;
-}
-
-// Chosen rows of `all`, and for every row how much it agrees with the chosen ones.
-class Chooser {
- public:
-  // The first row, and others drawn at random.
-  Chooser(const std::vector<int>& levels, const std::vector<Levels>& all, std::size_t runs, Seed seed)
-      : levels_(levels), all_(all), cost_(all.size(), 0), taken_(all.size(), 0) {
-    add(0);
-    Rng rng(seed);
-    while (chosen_.size() < runs)
-      if (const std::size_t row = rng.below(static_cast<std::uint32_t>(all.size())); !taken_[row]) add(row);
-  }
-
-  // Exchanges rows, but the first, as long as one becomes better by it.
-  void improve() {
-    for (bool better = true; better;) {
-      better = false;
-      for (std::size_t i = 1; i < chosen_.size(); ++i) {
-        const std::size_t old = chosen_[i];
-        remove(i);
-        const std::size_t next = cheapest();
-        better = better || cost_[next] < cost_[old];
-        add(cost_[next] < cost_[old] ? next : old);
-        std::rotate(chosen_.begin() + static_cast<std::ptrdiff_t>(i), chosen_.end() - 1, chosen_.end());
-      }
-    }
-  }
-  std::int64_t total() const {
-    std::int64_t sum = 0;
-    for (const std::size_t row : chosen_) sum += cost_[row];
-    return sum;
-  }
-  std::vector<Levels> rows() {
-    std::ranges::sort(chosen_);
-    std::vector<Levels> rows;
-    for (const std::size_t i : chosen_) rows.push_back(all_[i]);
-    return rows;
-  }
-
- private:
-  void change(std::size_t row, std::int64_t sign) {
-    for (std::size_t i = 0; i < all_.size(); ++i) cost_[i] += sign * agreement(levels_, all_[row], all_[i]);
-    taken_[row] = sign > 0;
-  }
-  void add(std::size_t row) {
-    change(row, 1);
-    chosen_.push_back(row);
-  }
-  void remove(std::size_t place) {
-    change(chosen_[place], -1);
-    chosen_.erase(chosen_.begin() + static_cast<std::ptrdiff_t>(place));
-  }
-  std::size_t cheapest() const {
-    std::size_t best = 0;
-    auto least = std::numeric_limits<std::int64_t>::max();
-    for (std::size_t i = 0; i < all_.size(); ++i)
-      if (!taken_[i] && cost_[i] < least) {
-        least = cost_[i];
-        best = i;
-      }
-    return best;
-  }
-
-  const std::vector<int>& levels_;
-  const std::vector<Levels>& all_;
-  std::vector<std::int64_t> cost_;
-  std::vector<std::uint8_t> taken_;
-  std::vector<std::size_t> chosen_;
-};
 
 // A factor's columns: one for each level but the last, whose row is minus their sum.
 Eigen::RowVectorXd coded(int level, int levels) {
@@ -157,31 +59,41 @@ Eigen::MatrixXd model_of(const std::vector<Eigen::MatrixXd>& terms, Eigen::Index
   return model;
 }
 
-}  // namespace
-
-std::vector<Levels> factorial_design(const std::vector<int>& levels, int runs) {
-  std::vector<Levels> all = all_combinations(levels);
-  if (runs <= 0 || static_cast<std::size_t>(runs) >= all.size()) return all;
-  const auto wanted = static_cast<std::size_t>(runs);
-  const std::size_t tries = std::clamp<std::size_t>(kWork / (all.size() * wanted), 1, kMostTries);
-  std::optional<Chooser> best;
-  for (std::size_t i = 0; i < tries; ++i) {
-    Chooser chooser(levels, all, wanted, Seed(0).child("factorial design").child(i));
-    chooser.improve();
-    if (!best || chooser.total() < best->total()) best.emplace(std::move(chooser));
-  }
-  return best->rows();
+Levels levels_of(const Levels& run, const std::vector<int>& factors) {
+  Levels part;
+  for (const int f : factors) part.push_back(run[f]);
+  return part;
 }
 
-FactorialAnalysis analyse_factorial(const std::vector<int>& levels, const std::vector<Levels>& runs,
+// The factors without those on which the response does not hang: runs that differ in nothing else of what is
+// kept have the same one.
+std::vector<int> factors_that_matter(std::size_t count, const std::vector<Levels>& runs,
+                                     const std::vector<double>& response) {
+  std::vector<int> kept(count);
+  std::iota(kept.begin(), kept.end(), 0);
+  for (int f = 0; f < static_cast<int>(count); ++f) {
+    std::vector<int> others = kept;
+    std::erase(others, f);
+    std::map<Levels, double> seen;
+    bool copies = false, same = true;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      const auto [first, fresh] = seen.emplace(levels_of(runs[r], others), response[r]);
+      copies = copies || !fresh;
+      same = same && first->second == response[r];
+    }
+    if (copies && same) kept = others;
+  }
+  return kept;
+}
+
+FactorialAnalysis analyse_different(const std::vector<int>& levels, const std::vector<Levels>& runs,
                                     const std::vector<double>& response) {
-  HBR_CHECK(runs.size() == response.size() && !runs.empty(), "{} runs, {} responses", runs.size(),
-            response.size());
   const auto n = static_cast<Eigen::Index>(runs.size());
   const Eigen::VectorXd y = Eigen::Map<const Eigen::VectorXd>(response.data(), n);
   const double total = (y.array() - y.mean()).square().sum();
 
   FactorialAnalysis analysis;
+  analysis.runs = static_cast<int>(n);
   std::vector<Eigen::MatrixXd> columns;
   Eigen::Index parameters = 1;
   const auto add = [&](const std::vector<int>& factors) {
@@ -225,6 +137,54 @@ FactorialAnalysis analyse_factorial(const std::vector<int>& levels, const std::v
       effects.push_back(coded(level, levels[f]).dot(own) - base);
     analysis.effects.push_back(effects);
   }
+  return analysis;
+}
+
+}  // namespace
+
+FactorialAnalysis analyse_factorial(const std::vector<int>& levels, const std::vector<Levels>& runs,
+                                    const std::vector<double>& response) {
+  HBR_CHECK(runs.size() == response.size() && !runs.empty(), "{} runs, {} responses", runs.size(),
+            response.size());
+  const std::vector<int> kept = factors_that_matter(levels.size(), runs, response);
+  if (kept.size() == levels.size()) return analyse_different(levels, runs, response);
+
+  std::vector<Levels> different;
+  std::vector<double> theirs;
+  std::set<std::pair<Levels, double>> seen;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (const Levels part = levels_of(runs[r], kept); seen.emplace(part, response[r]).second) {
+      different.push_back(part);
+      theirs.push_back(response[r]);
+    }
+  FactorialAnalysis of_kept = analyse_different(levels_of(levels, kept), different, theirs);
+
+  // Told in the order of all factors.
+  std::map<std::vector<int>, Term> terms;
+  for (Term& term : of_kept.terms) {
+    term.factors = levels_of(kept, term.factors);
+    terms.emplace(term.factors, term);
+  }
+  FactorialAnalysis analysis;
+  analysis.unexplained = of_kept.unexplained;
+  analysis.runs = of_kept.runs;
+  const auto add = [&](const std::vector<int>& factors) {
+    const auto found = terms.find(factors);
+    int degrees = 1;
+    for (const int f : factors) degrees *= levels[f] - 1;
+    analysis.terms.push_back(found != terms.end() ? found->second : Term{factors, degrees, 0, {}});
+  };
+  const int count = static_cast<int>(levels.size());
+  for (int f = 0; f < count; ++f) {
+    add({f});
+    const auto place = std::ranges::find(kept, f);
+    analysis.effects.push_back(place != kept.end()
+                                   ? of_kept.effects[static_cast<std::size_t>(place - kept.begin())]
+                                   : std::vector<double>(static_cast<std::size_t>(levels[f]), 0.0));
+  }
+  if (kept.size() < 2 || terms.size() > kept.size())
+    for (int f = 0; f < count; ++f)
+      for (int g = f + 1; g < count; ++g) add({f, g});
   return analysis;
 }
 

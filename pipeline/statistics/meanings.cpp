@@ -50,6 +50,10 @@ constexpr std::array kOfDigits = {
     Entry{"rarest", "", "{}: good images of the rarest class, over the mean of the classes"},
     Entry{"reach", "", "{}: greatest absolute latent coordinate"},
     Entry{"neighbour_difference", "", "{}: mean pixel difference between an image and its latent neighbour"},
+    Entry{
+        "border_difference", "",
+        "{}: mean pixel difference between an image and its latent neighbour, where the judge takes them for "
+        "different classes"},
     Entry{"pair_difference", "", "{}: mean pixel difference between any two images"},
 };
 

@@ -77,15 +77,24 @@ std::size_t latent_neighbour(const Digits& d, std::size_t of) {
   return nearest;
 }
 
-// Mean absolute difference of a pixel, 1 is white against black.
-double neighbour_difference(const Digits& d) {
-  double sum = 0;
+// Mean absolute difference of a pixel between images and their latent neighbours, 1 is white against black:
+// of all, and of those whose neighbour is of another class, where there are such.
+void add_neighbours(const std::string& prefix, int replication, const Digits& d, StatisticsTable& table) {
+  double all = 0, across = 0;
+  std::size_t borders = 0;
   for (std::size_t i = 0; i < d.n; ++i) {
     const std::size_t j = latent_neighbour(d, i);
+    double sum = 0;
     for (std::size_t p = 0; p < d.pixels; ++p)
       sum += std::abs(d.image[i * d.pixels + p] - d.image[j * d.pixels + p]);
+    all += sum;
+    if (d.label[i] != d.label[j]) across += sum, ++borders;
   }
-  return sum / 255 / static_cast<double>(d.n * d.pixels);
+  const auto mean_of = [&](double sum, std::size_t n) {
+    return sum / 255 / static_cast<double>(n * d.pixels);
+  };
+  table.add(prefix + ".neighbour_difference", replication, mean_of(all, d.n));
+  if (borders > 0) table.add(prefix + ".border_difference", replication, mean_of(across, borders));
 }
 
 // The same over all pairs, by counting grey values pixel by pixel: between neighbouring grey values lies the
@@ -152,7 +161,7 @@ void read_digits(const std::vector<Artifact>& artifacts, StatisticsTable& table)
       table.add(prefix + ".agreement", replication,
                 rank_correlation(std::vector<double>(d.objective.begin(), d.objective.end()),
                                  std::vector<double>(d.confidence.begin(), d.confidence.end())));
-      table.add(prefix + ".neighbour_difference", replication, neighbour_difference(d));
+      add_neighbours(prefix, replication, d, table);
       table.add(prefix + ".pair_difference", replication, pair_difference(d));
     }
   }

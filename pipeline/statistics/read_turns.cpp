@@ -2,7 +2,11 @@
 // another?
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/core/check.h"
@@ -14,15 +18,11 @@
 namespace hbr::inline statistics {
 namespace {
 
-// Digits with a turn, of one replication or of all.
+// Digits with a turn, of one replication.
 struct Turned {
   std::vector<double> turn;  // degrees, mean of a digit's turns without their sense
   std::vector<std::uint8_t> good;
 
-  void append(const Turned& more) {
-    turn.insert(turn.end(), more.turn.begin(), more.turn.end());
-    good.insert(good.end(), more.good.begin(), more.good.end());
-  }
   std::vector<double> where(bool is_good) const {
     std::vector<double> values;
     for (std::size_t i = 0; i < turn.size(); ++i)
@@ -69,8 +69,32 @@ Turned read_group(const Hdf5Reader& file, const std::string& group, int replicat
   return digits;
 }
 
-void add_interval(StatisticsTable& table, const std::string& name, double value, const Interval& interval) {
-  table.number(name, value);
+// Digits with a turn of each replication, by repertoire.
+using Replications = std::map<std::string, std::map<int, Turned>>;
+
+// A12 of what one side has against what the other has, and an interval of three replications and more: they
+// are drawn anew, since the digits of one have a network and layers in common.
+using Sides = std::function<std::pair<std::vector<double>, std::vector<double>>(int replication)>;
+void add_effect(StatisticsTable& table, const std::string& name, const std::vector<double>& replications,
+                const Sides& sides) {
+  std::map<int, std::pair<std::vector<double>, std::vector<double>>> known;
+  for (const double r : replications) known.emplace(static_cast<int>(r), sides(static_cast<int>(r)));
+  const auto effect = [&](std::span<const double> drawn, std::span<const double>) {
+    std::vector<double> one, other;
+    for (const double r : drawn) {
+      const auto& [some, others] = known.at(static_cast<int>(r));
+      one.insert(one.end(), some.begin(), some.end());
+      other.insert(other.end(), others.begin(), others.end());
+    }
+    // A draw that lacks one side altogether tells nothing.
+    return one.empty() || other.empty() ? 0.5 : effect_size(one, other);
+  };
+  std::size_t some = 0, others = 0;
+  for (const auto& [r, pair] : known) some += pair.first.size(), others += pair.second.size();
+  if (some == 0 || others == 0) return;
+  table.number(name, effect(replications, {}));
+  if (replications.size() < kFewestToTest) return;
+  const Interval interval = bootstrap(replications, {}, effect, name);
   table.number(name + "_low", interval.low);
   table.number(name + "_high", interval.high);
 }
@@ -78,27 +102,39 @@ void add_interval(StatisticsTable& table, const std::string& name, double value,
 }  // namespace
 
 void read_turns(const std::vector<Artifact>& artifacts, StatisticsTable& table) {
-  std::map<std::string, Turned> pooled;
+  Replications found;
+  std::vector<double> replications;
   for (const Artifact& artifact : artifacts) {
     const Hdf5Reader file(artifact.path);
+    const int r = artifact.name.replication;
+    replications.push_back(r);
     for (const std::string& group : file.children("/"))
-      pooled[group].append(read_group(file, group, artifact.name.replication, table));
+      found[group].emplace(r, read_group(file, group, r, table));
   }
-  for (const auto& [group, digits] : pooled) {
-    const std::vector<double> good = digits.where(true), refused = digits.where(false);
+  for (const auto& [group, of_replications] : found) {
     const std::string prefix = "digit_turns." + group;
+    std::vector<double> good, refused;
+    for (const auto& [r, digits] : of_replications) {
+      for (const double turn : digits.where(true)) good.push_back(turn);
+      for (const double turn : digits.where(false)) refused.push_back(turn);
+    }
     if (!good.empty()) table.box(prefix + ".of_good", good);
     if (!refused.empty()) table.box(prefix + ".of_refused", refused);
-    const std::string name = prefix + ".refused_turn_more";
-    if (!good.empty() && !refused.empty())
-      add_interval(table, name, effect_size(refused, good), bootstrap(refused, good, effect_size, name));
+    add_effect(table, prefix + ".refused_turn_more", replications, [&](int r) {
+      const auto digits = of_replications.find(r);
+      return digits == of_replications.end()
+                 ? std::pair<std::vector<double>, std::vector<double>>()
+                 : std::pair(digits->second.where(false), digits->second.where(true));
+    });
   }
-  const auto hbr = pooled.find("hbr"), flat = pooled.find("flat");
-  if (hbr == pooled.end() || flat == pooled.end() || hbr->second.turn.empty() || flat->second.turn.empty())
-    return;
-  const std::string name = "digit_turns.flat_turn_more";
-  add_interval(table, name, effect_size(flat->second.turn, hbr->second.turn),
-               bootstrap(flat->second.turn, hbr->second.turn, effect_size, name));
+  if (!found.contains("hbr") || !found.contains("flat")) return;
+  add_effect(table, "digit_turns.flat_turn_more", replications, [&](int r) {
+    const auto turns = [&](const char* group) {
+      const auto digits = found.at(group).find(r);
+      return digits == found.at(group).end() ? std::vector<double>() : digits->second.turn;
+    };
+    return std::pair(turns("flat"), turns("hbr"));
+  });
 }
 
 }  // namespace hbr::inline statistics

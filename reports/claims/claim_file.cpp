@@ -43,8 +43,8 @@ void describe(Fields& f, Claim& claim) {
   f.text("quote", claim.quote, "a few of the paper's words, or \"\"");
   f.text("paper", claim.paper, "the paper's figures");
   f.text("size", claim.size, "a size's name, or \"\"");
-  f.choice("decided_by", claim.decided_by, {"result", "design"},
-           "whether what comes out can change the verdict");
+  f.choice("decided_by", claim.decided_by, {"result", "design", "ours"},
+           "what comes out, the settings, or what comes out of a claim that is not the paper's");
   f.tables("checks", claim.checks, "what decides");
 }
 

@@ -27,7 +27,8 @@ struct Size {
 //   difference  of less to (medians)
 //   a12         the chance that a value of `of` is greater than one of `to`
 // It holds where x lies in `reproduced` and the rank-sum test gives p < p_below, adjusted for the tests of
-// all claims (Holm 1979); it holds in part where x lies in `partly`.
+// all claims (Holm 1979); it holds in part where x lies in `partly` and the test alone tells a difference (p
+// < 0.05, or p_below where that is greater), and is undecided where x lies there and the test does not.
 struct Check {
   std::string words;  // what is compared, for the reader
   std::string kind, of, to;
@@ -41,7 +42,8 @@ struct Claim {
   std::string quote;       // a few of the paper's, or ""
   std::string paper;       // its figures
   std::string size;        // name of a Size, or ""
-  std::string decided_by;  // "result", or "design": by the experiment's settings, whatever comes out
+  std::string decided_by;  // "result"; "design": the experiment's settings, whatever comes out; "ours": not
+                           // the paper's
   std::vector<Check> checks;
 };
 

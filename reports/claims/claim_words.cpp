@@ -88,6 +88,8 @@ std::string tally(const std::vector<Measured>& measured) {
   std::string text = fmt::format("{} of {} {}", count(CheckOutcome::yes), measured.size(),
                                  measured.size() == 1 ? "check holds" : "checks hold");
   if (const auto n = count(CheckOutcome::partly)) text += fmt::format(", {} in part", n);
+  if (const auto n = count(CheckOutcome::undecided))
+    text += fmt::format(", {} {} not told from chance", n, n == 1 ? "is" : "are");
   if (const auto n = count(CheckOutcome::absent)) text += fmt::format(", {} could not be measured", n);
   return text + ".";
 }
@@ -102,6 +104,8 @@ const char* outcome_name(CheckOutcome outcome) {
       return "partly";
     case CheckOutcome::no:
       return "no";
+    case CheckOutcome::undecided:
+      return "undecided";
     case CheckOutcome::absent:
       break;
   }

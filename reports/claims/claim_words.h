@@ -17,7 +17,7 @@ struct Statistic {
   std::vector<double> values;
 };
 
-enum class CheckOutcome { absent, yes, partly, no };
+enum class CheckOutcome { absent, yes, partly, no, undecided };
 const char* outcome_name(CheckOutcome outcome);
 
 struct Measured {

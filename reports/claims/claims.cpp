@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -17,6 +18,10 @@ namespace {
 
 using nlohmann::json;
 
+// The level at which a test tells a difference from chance at all; some of the paper's own p-values are far
+// smaller.
+constexpr double kLevel = 0.05;
+
 bool within(double x, const std::vector<double>& range) { return x >= range[0] && x <= range[1]; }
 
 bool tested(const Check& check, const Measured& m) { return check.p_below < 1 && m.p; }
@@ -28,8 +33,13 @@ bool least_possible(const Check& check, const Measured& m, std::size_t tests) {
   return floor * static_cast<double>(tests) >= check.p_below && *m.p <= floor * (1 + 1e-12);
 }
 
+bool told_from_chance(const Check& check, const Measured& m) {
+  return check.p_below >= 1 || (m.p && *m.p < std::max(check.p_below, kLevel));
+}
+
 bool significant(const Check& check, const Measured& m) {
-  return check.p_below >= 1 || (m.p && (*m.p_together < check.p_below || m.least_p));
+  return check.p_below >= 1 ||
+         (m.p && (*m.p_together < check.p_below || (m.least_p && told_from_chance(check, m))));
 }
 
 // Of x, where there are replications enough to draw from.
@@ -78,8 +88,9 @@ Measured measure(const Check& check, const StatisticsReader& statistics) {
 
 CheckOutcome outcome_of(const Check& check, const Measured& m) {
   if (!m.x) return CheckOutcome::absent;
-  if (within(*m.x, check.reproduced)) return significant(check, m) ? CheckOutcome::yes : CheckOutcome::partly;
-  return within(*m.x, check.partly) ? CheckOutcome::partly : CheckOutcome::no;
+  if (!within(*m.x, check.partly)) return CheckOutcome::no;
+  if (within(*m.x, check.reproduced) && significant(check, m)) return CheckOutcome::yes;
+  return told_from_chance(check, m) ? CheckOutcome::partly : CheckOutcome::undecided;
 }
 
 // What every check of every claim came to. The tests that decide are read together.
@@ -105,7 +116,9 @@ std::vector<std::vector<Measured>> measured_claims(const std::vector<Claim>& cla
         m.least_p = least_possible(check, m, p.size());
       }
       m.outcome = outcome_of(check, m);
-      if (m.p_together && within(*m.x, check.reproduced) && m.outcome != CheckOutcome::yes)
+      const bool lacks_evidence = within(*m.x, check.reproduced) ? m.outcome != CheckOutcome::yes
+                                                                 : m.outcome == CheckOutcome::undecided;
+      if (m.p_together && lacks_evidence)
         m.would_tell = replications_to_tell(*m.a12, check.p_below / static_cast<double>(p.size()));
     }
   return all;
@@ -113,14 +126,13 @@ std::vector<std::vector<Measured>> measured_claims(const std::vector<Claim>& cla
 
 // Of the checks that could be made.
 std::string verdict_of(const std::vector<Measured>& measured) {
-  int made = 0, yes = 0, no = 0;
-  for (const Measured& m : measured) {
-    made += m.outcome != CheckOutcome::absent;
-    yes += m.outcome == CheckOutcome::yes;
-    no += m.outcome == CheckOutcome::no;
-  }
+  std::map<CheckOutcome, std::size_t> count;
+  for (const Measured& m : measured) ++count[m.outcome];
+  const std::size_t made = measured.size() - count[CheckOutcome::absent];
   if (made == 0) return "";
-  return yes == made ? "reproduced" : no == made ? "not" : "partly";
+  if (count[CheckOutcome::yes] == made) return "reproduced";
+  if (count[CheckOutcome::yes] + count[CheckOutcome::partly] > 0) return "partly";
+  return count[CheckOutcome::undecided] > 0 ? "undecided" : "not";
 }
 
 std::vector<NeedFound> needs_of(const Claim& claim, const ClaimFile& file,

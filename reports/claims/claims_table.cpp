@@ -24,6 +24,7 @@ std::string text(const json& entry, const std::string& whose, const char* key) {
 std::string outcome(const std::string& name) {
   if (name == "yes") return "<span class=\"reproduced\">✓ holds</span>";
   if (name == "partly") return "<span class=\"partly\">◐ in part</span>";
+  if (name == "undecided") return "<span class=\"undecided\">? not told from chance</span>";
   if (name == "no") return "<span class=\"not\">✗ does not hold</span>";
   return "<span class=\"not-at-this-size\">○ not measured</span>";
 }
@@ -69,20 +70,33 @@ std::string table(const std::string& caption, const json& claims) {
 }  // namespace
 
 std::string claims_table(const json& claims) {
-  const json results = claims_decided_by("result", claims), design = claims_decided_by("design", claims);
+  const json results = claims_decided_by("result", claims), design = claims_decided_by("design", claims),
+             ours = claims_decided_by("ours", claims);
   std::string html =
       verdict_filters(results) +
       table(
           "Each claim, and below it what is compared. In the charts the dark bar is what counts as "
-          "reproduced, the pale one what counts in part, the dot this run. p: two-sided rank-sum test "
+          "reproduced, the pale one what counts in part (where a test is asked for, if that alone tells a "
+          "difference, p &lt; 0.05; else the check is undecided), the dot this run. p: two-sided rank-sum "
+          "test "
           "over the replications (exact for up to " +
               std::to_string(kSmall) +
               " values without ties, else the normal approximation, corrected for ties and continuity, as in "
               "the paper), adjusted for all the tests here that decide (Holm 1979); none is given for fewer "
               "than " +
               std::to_string(kFewestToTest) +
-              " replications. In brackets: 95 % confidence interval, by bootstrap, of what is computed.",
+              " replications. In brackets: of what is computed from two quantities the 95 % confidence "
+              "interval, by "
+              "bootstrap; of one quantity the quartiles over the replications.",
           results);
+  if (!ours.empty())
+    html += "<details id=\"ours\"><summary>What we ask besides</summary>\n" +
+            table(
+                "Other readings of the paper's sentences, and questions that it does not ask: decided by the "
+                "same "
+                "rules, but not counted among its claims.",
+                ours) +
+            "</details>\n";
   if (!design.empty())
     html += "<details id=\"design\"><summary>Facts of the design</summary>\n" +
             table(

@@ -15,16 +15,18 @@ namespace {
 struct Verdict {
   const char *name, *sign, *css;
 };
-constexpr std::array<Verdict, 4> kVerdicts = {{{"reproduced", "✓", "reproduced"},
+constexpr std::array<Verdict, 5> kVerdicts = {{{"reproduced", "✓", "reproduced"},
                                                {"partly", "◐", "partly"},
+                                               {"undecided", "?", "undecided"},
                                                {"not", "✗", "not"},
                                                {"not at this size", "○", "not-at-this-size"}}};
 
 const Verdict& verdict_named(const std::string& name, const std::string& whose) {
   const auto found = std::ranges::find(kVerdicts, name, [](const Verdict& v) { return std::string(v.name); });
   if (found == kVerdicts.end())
-    throw InputError("{} has the verdict '{}'; expected reproduced, partly, not or not at this size", whose,
-                     name);
+    throw InputError(
+        "{} has the verdict '{}'; expected reproduced, partly, undecided, not or not at this size", whose,
+        name);
   return *found;
 }
 

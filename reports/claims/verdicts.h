@@ -6,9 +6,9 @@
 
 namespace hbr::inline reports {
 
-// Of claims.json (reports/claims/claims.h). All throw InputError where a verdict is none of the four.
+// Of claims.json (reports/claims/claims.h). All throw InputError where a verdict is none of the five.
 nlohmann::json claims_decided_by(const std::string& what,
-                                 const nlohmann::json& claims);  // "result" or "design"
+                                 const nlohmann::json& claims);  // "result", "design" or "ours"
 std::string verdict_tiles(const nlohmann::json& claims);  // how many of each, of those that a result decides
 std::string verdict_filters(const nlohmann::json& claims);  // buttons that show those of one verdict alone
 

@@ -45,12 +45,20 @@ std::string turns_in_words(const StatisticsView& statistics) {
   const bool told =
       (flat->low > 0.5 || flat->high < 0.5) && (hbr_refused->low > 0.5 || hbr_refused->high < 0.5 ||
                                                 flat_refused->low > 0.5 || flat_refused->high < 0.5);
+  std::string curvature;
+  if (const auto test = statistics.test("digit_turns.flat.curvature", "digit_turns.hbr.curvature"))
+    curvature = fmt::format(" On a way as long as the side of their box {} (p = {}).",
+                            test->p >= 0.05   ? "the two are not told apart"
+                            : test->a12 > 0.5 ? "flat digits turn more, too"
+                                              : "flat digits turn less",
+                            format_p(test->p));
   return fmt::format(
       "<p>Flat digits {} those of the hierarchy (A<sub>12</sub> {}). Refused digits of the hierarchy {} its "
       "good "
-      "ones ({}), refused flat digits {} good flat ones ({}). {}</p>\n",
+      "ones ({}), refused flat digits {} good flat ones ({}).{} {}</p>\n",
       by_sign(*flat, 0.5, more, less, alike), in_words(*flat), by_sign(*hbr_refused, 0.5, more, less, alike),
       in_words(*hbr_refused), by_sign(*flat_refused, 0.5, more, less, alike), in_words(*flat_refused),
+      curvature,
       told ? "So how sharply a digit turns goes with who drew it and with what the judge says of it; an "
              "A<sub>12</sub> "
              "near 0.5 means that most of the verdict depends on something else."
@@ -105,9 +113,8 @@ Figure turns_figure(const Evidence& evidence) {
       "segment "
       "is a line of layer 2, or the way between two configurations. A<sub>12</sub>: the chance that a value "
       "of "
-      "the first kind is greater than one of the second. Brackets: 95 % intervals by bootstrap over digits, "
-      "which "
-      "takes those of one replication for independent.";
+      "the first kind is greater than one of the second. Brackets: 95 % intervals by bootstrap over the "
+      "replications.";
   figure.panels = pooled_box_panel(evidence.statistics,
                                    {"digit_turns.hbr.of_good", "digit_turns.hbr.of_refused",
                                     "digit_turns.flat.of_good", "digit_turns.flat.of_refused"},

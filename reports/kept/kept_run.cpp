@@ -93,7 +93,7 @@ void describe(Fields& f, KeptClaim& c) {
   f.text("ours", c.ours, "this run's figures");
   f.text("verdict", c.verdict, "what became of it");
   f.text("indication", c.indication, "what it would be without regard to size");
-  f.choice("decided_by", c.decided_by, {"result", "design"}, "what decides it");
+  f.choice("decided_by", c.decided_by, {"result", "design", "ours"}, "what decides it");
 }
 struct KeptClaims {
   std::vector<KeptClaim> claims;

@@ -44,7 +44,8 @@ std::string verdicts_in_words(const nlohmann::json& all) {
   const nlohmann::json claims = claims_decided_by("result", all);
   std::map<std::string, int> times;
   for (const nlohmann::json& claim : claims) ++times[claim.at("verdict")];
-  return fmt::format("{} / {} / {} of {}", times["reproduced"], times["partly"], times["not"], claims.size());
+  return fmt::format("{} / {} / {} / {} of {}", times["reproduced"], times["partly"], times["undecided"],
+                     times["not"], claims.size());
 }
 
 std::map<std::string, std::string> values_of(const KeptRun& run) {

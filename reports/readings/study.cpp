@@ -53,7 +53,8 @@ class Study {
     return {{"logarithm", logarithm},
             {"terms", terms},
             {"effects", analysis.effects},
-            {"unexplained", analysis.unexplained}};
+            {"unexplained", analysis.unexplained},
+            {"runs", analysis.runs}};
   }
 
   Responses measured(const PaperFigure& figure) const {
@@ -110,9 +111,9 @@ bool differ(const Responses& xs) {
   return std::ranges::adjacent_find(xs, std::ranges::not_equal_to()) != xs.end();
 }
 
-// How many of the claims a run reproduces, partly or not.
+// How many of the claims a run reproduces, partly, undecidedly or not.
 json verdicts_of(const json& claims, std::size_t run) {
-  json count{{"reproduced", 0}, {"partly", 0}, {"not", 0}};
+  json count{{"reproduced", 0}, {"partly", 0}, {"undecided", 0}, {"not", 0}};
   for (const json& claim : claims)
     if (const std::string verdict = claim.at("verdicts")[run]; count.contains(verdict))
       count[verdict] = count[verdict].get<int>() + 1;

@@ -38,7 +38,7 @@ class StudyTables {
 
   // The nearest combinations, and the plain run wherever it stands.
   std::string nearest() const {
-    Row head{"Rank", "Distance", "Claims reproduced / partly / not"};
+    Row head{"Rank", "Distance", "Claims reproduced / partly / undecided / not"};
     head.insert(head.end(), titles_.begin(), titles_.end());
     for (const json& figure : study_.at("figures"))
       head.push_back(fmt::format("{}<br><small>paper {}</small>", text(figure.at("words")),
@@ -62,15 +62,20 @@ class StudyTables {
     head.insert(head.end(), {"Two together", "Unexplained"});
     std::vector<Row> rows;
     for (const json& figure : study_.at("figures")) {
-      Row row{text(figure.at("words"))};
       const json& moved = figure.at("moved");
+      Row row{text(figure.at("words")) +
+              (moved.is_null()
+                   ? ""
+                   : fmt::format("<br><small>{} different runs</small>", moved.at("runs").get<int>()))};
       for (std::size_t r = 0; r < titles_.size(); ++r) row.push_back(effect(moved, r));
       row.push_back(moved.is_null() ? "–" : pairs(moved));
       row.push_back(moved.is_null() ? "–" : percent(moved.at("unexplained")));
       rows.push_back(row);
     }
-    return "<p>How a figure is multiplied by each value of a reading, and the share of the variance over all "
-           "combinations that the reading explains; bold where that is 5 % or more and, where it can be "
+    return "<p>How a figure is multiplied by each value of a reading, and the share of the variance over the "
+           "different runs that the reading explains (combinations that differ in what a figure does not "
+           "hang on "
+           "are one run); bold where that is 5 % or more and, where it can be "
            "tested, p &lt; 0.05.</p>\n" +
            html_table("What each reading does to the paper’s figures", head, rows);
   }
@@ -107,10 +112,11 @@ class StudyTables {
 
   Row combination(std::size_t rank, std::size_t place, const json& run, bool plain) const {
     const json &distance = run.at("distance"), &claims = run.at("claims");
-    Row row{fmt::format("{}{}", rank + 1, plain ? " (this run)" : ""),
-            distance.is_null() ? "–" : fmt::format("{:.2f}", distance.get<double>()),
-            fmt::format("{} / {} / {}", claims.at("reproduced").get<int>(), claims.at("partly").get<int>(),
-                        claims.at("not").get<int>())};
+    Row row{
+        fmt::format("{}{}", rank + 1, plain ? " (this run)" : ""),
+        distance.is_null() ? "–" : fmt::format("{:.2f}", distance.get<double>()),
+        fmt::format("{} / {} / {} / {}", claims.at("reproduced").get<int>(), claims.at("partly").get<int>(),
+                    claims.at("undecided").get<int>(), claims.at("not").get<int>())};
     for (std::size_t r = 0; r < titles_.size(); ++r) {
       const auto level = run.at("levels")[r].get<std::size_t>();
       const std::string value = text(study_.at("readings")[r].at("values")[level]);

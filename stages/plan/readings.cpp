@@ -5,7 +5,7 @@
 
 #include "pipeline/artifact/profile.h"
 #include "pipeline/core/check.h"
-#include "pipeline/statistics/factorial.h"
+#include "pipeline/statistics/factorial_design.h"
 
 namespace hbr::inline stages {
 namespace {

@@ -160,7 +160,7 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
     for (std::size_t p = 0; p < 784; ++p) sum += std::abs(image[784 * i + p] - image[784 * j + p]) / 255.0;
     return sum / 784;
   };
-  double pairs = 0, neighbours = 0;
+  double pairs = 0, neighbours = 0, borders = 0, at_borders = 0;
   std::set<std::pair<int, int>> cells;
   std::vector<int> goods(10), alls(10);
   for (std::size_t i = 0; i < n; ++i) {
@@ -173,6 +173,7 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
       if (distance < least) least = distance, nearest = j;
     }
     neighbours += difference(i, nearest);
+    if (label[i] != label[nearest]) at_borders += difference(i, nearest), borders += 1;
     int row = 0, column = 0;
     while (static_cast<double>(z[2 * i]) >= -1 + 0.1 * (row + 1)) ++row;
     while (static_cast<double>(z[2 * i + 1]) >= -1 + 0.1 * (column + 1)) ++column;
@@ -183,6 +184,9 @@ TEST(Collect, DigitsAgainstTheirDefinitions) {
   const double pair_count = 0.5 * static_cast<double>(n * (n - 1));
   EXPECT_NEAR(value("pair_difference"), pairs / pair_count, 1e-12);
   EXPECT_NEAR(value("neighbour_difference"), neighbours / static_cast<double>(n), 1e-12);
+  ASSERT_GT(borders, 0);
+  ASSERT_LT(borders, n);
+  EXPECT_NEAR(value("border_difference"), at_borders / borders, 1e-12);
   EXPECT_DOUBLE_EQ(value("cells"), static_cast<double>(cells.size()) / 400);
   const int all = std::accumulate(goods.begin(), goods.end(), 0);
   EXPECT_DOUBLE_EQ(value("good"), all / static_cast<double>(n));

@@ -3,74 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <map>
-#include <set>
-
-#include "pipeline/core/check.h"
 
 namespace hbr {
 namespace {
-
-using testing::HasSubstr;
-
-// How often each combination of levels of some factors is among the runs.
-std::map<Levels, int> counts(const std::vector<Levels>& runs, const std::vector<std::size_t>& factors) {
-  std::map<Levels, int> count;
-  for (const Levels& run : runs) {
-    Levels part;
-    for (const std::size_t f : factors) part.push_back(run[f]);
-    ++count[part];
-  }
-  return count;
-}
-
-TEST(FactorialDesign, IsEveryCombinationInOrder) {
-  const std::vector<Levels> all = factorial_design({2, 3}, 0);
-  EXPECT_EQ(all, (std::vector<Levels>{{0, 0}, {0, 1}, {0, 2}, {1, 0}, {1, 1}, {1, 2}}));
-  EXPECT_EQ(factorial_design({2, 3}, 6), all);
-  EXPECT_EQ(factorial_design({2, 3}, 99), all);
-  EXPECT_EQ(factorial_design({}, 0), std::vector<Levels>{{}});
-}
-
-// The known best fractions: eight of sixteen in which any three of four factors are complete (resolution IV),
-// sixteen of thirty-two in which any four of five are (resolution V).
-TEST(FactorialDesign, FindsTheHalvesOfTwoLevels) {
-  const std::vector<Levels> half4 = factorial_design({2, 2, 2, 2}, 8),
-                            half5 = factorial_design({2, 2, 2, 2, 2}, 16);
-  ASSERT_EQ(half4.size(), 8u);
-  for (std::size_t without = 0; without < 4; ++without) {
-    std::vector<std::size_t> three;
-    for (std::size_t f = 0; f < 4; ++f)
-      if (f != without) three.push_back(f);
-    EXPECT_EQ(counts(half4, three).size(), 8u) << without;
-  }
-  ASSERT_EQ(half5.size(), 16u);
-  for (std::size_t without = 0; without < 5; ++without) {
-    std::vector<std::size_t> four;
-    for (std::size_t f = 0; f < 5; ++f)
-      if (f != without) four.push_back(f);
-    EXPECT_EQ(counts(half5, four).size(), 16u) << without;
-  }
-  for (const auto& runs : {half4, half5})
-    EXPECT_EQ(std::set<Levels>(runs.begin(), runs.end()).size(), runs.size());
-}
-
-TEST(FactorialDesign, HoldsEveryLevelEquallyOften) {
-  const std::vector<int> levels{3, 2, 2, 2, 2, 2};  // 96 combinations
-  const std::vector<Levels> runs = factorial_design(levels, 24);
-  ASSERT_EQ(runs.size(), 24u);
-  EXPECT_EQ(runs[0], Levels(6, 0));
-  EXPECT_TRUE(std::ranges::is_sorted(runs));
-  for (std::size_t f = 0; f < levels.size(); ++f)
-    for (std::size_t g = f + 1; g < levels.size(); ++g)
-      for (const auto& [pair, count] : counts(runs, {f, g}))
-        EXPECT_EQ(count, 24 / (levels[f] * levels[g])) << f << ' ' << g;
-}
-
-TEST(FactorialDesign, RefusesWhatNobodyRuns) {
-  EXPECT_THAT([] { factorial_design(std::vector<int>(17, 2), 8); },
-              testing::ThrowsMessage<InputError>(HasSubstr("more than 65536 combinations")));
-}
 
 // y = 5 + 3 a + 2 a b over levels -1 and 1: sums of squares 9 and 4 of 13.
 TEST(FactorialAnalysis, OfAResponseByHand) {
@@ -111,6 +46,51 @@ TEST(FactorialAnalysis, OfOneFactorIsTheTextbooks) {
   EXPECT_EQ(analysis.effects[0].size(), 3u);
   EXPECT_NEAR(analysis.effects[0][1], 3, 1e-12);
   EXPECT_NEAR(analysis.effects[0][2], 6, 1e-12);
+}
+
+// A response that does not hang on a factor is the same run made twice: that makes no evidence.
+TEST(FactorialAnalysis, CountsCopiesOnce) {
+  const std::vector<Levels> three{{0}, {0}, {1}, {1}, {2}, {2}};
+  const std::vector<double> y{1, 2, 4, 5, 6, 9};
+  const FactorialAnalysis alone = analyse_factorial({3}, three, y);
+  std::vector<Levels> runs;
+  std::vector<double> responses;
+  for (std::size_t r = 0; r < three.size(); ++r)
+    for (int idle = 0; idle < 4; ++idle) {
+      runs.push_back({idle / 2, three[r][0], idle % 2});
+      responses.push_back(y[r]);
+    }
+  const FactorialAnalysis copied = analyse_factorial({2, 3, 2}, runs, responses);
+  EXPECT_EQ(alone.runs, 6);
+  EXPECT_EQ(copied.runs, 6);
+  ASSERT_EQ(copied.terms.size(), 6u);  // three factors and their pairs
+  EXPECT_EQ(copied.terms[1].factors, std::vector<int>{1});
+  EXPECT_DOUBLE_EQ(copied.terms[1].share, alone.terms[0].share);
+  EXPECT_DOUBLE_EQ(copied.terms[1].p.value(), alone.terms[0].p.value());
+  EXPECT_EQ(copied.effects[1], alone.effects[0]);
+  EXPECT_EQ(copied.unexplained, alone.unexplained);
+  for (const std::size_t idle : {0u, 2u, 3u, 4u, 5u}) {
+    EXPECT_EQ(copied.terms[idle].share, 0) << idle;
+    EXPECT_FALSE(copied.terms[idle].p) << idle;
+  }
+  EXPECT_EQ(copied.effects[0], (std::vector<double>{0, 0}));
+}
+
+// Two factors that matter beside one that does not: their pair keeps its place.
+TEST(FactorialAnalysis, CopiesKeepThePairsOfWhatMatters) {
+  const std::vector<int> levels{2, 2, 2};
+  const std::vector<Levels> runs = factorial_design(levels, 0);
+  std::vector<double> y;
+  for (const Levels& run : runs) y.push_back(3 * run[0] + run[0] * run[2] - run[2]);
+  const FactorialAnalysis analysis = analyse_factorial(levels, runs, y);
+  EXPECT_EQ(analysis.runs, 4);
+  ASSERT_EQ(analysis.terms.size(), 6u);
+  for (std::size_t t = 0; t < 6; ++t) {
+    const bool matters = t == 0 || t == 2 || t == 4;  // 0, 2, and 0 with 2
+    EXPECT_EQ(analysis.terms[t].share > 0.01, matters) << t;
+  }
+  EXPECT_EQ(analysis.terms[4].factors, (std::vector<int>{0, 2}));
+  EXPECT_NEAR(analysis.effects[0][1], 3.5, 1e-12);
 }
 
 // Eight runs have no room for four factors' six pairs; factors that always change together can't be told

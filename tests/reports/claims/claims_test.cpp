@@ -117,7 +117,33 @@ TEST(Claims, TheFloorOfTheTestIsReachedByCompleteSeparationOnly) {
   EXPECT_EQ(evaluate_one(file, accuracies(5))["verdict"], "reproduced");
   json overlapping = accuracies(5);
   overlapping["quantities"]["accuracy.n1"]["values"][0] = 0;
-  EXPECT_EQ(evaluate_one(file, overlapping)["verdict"], "partly");
+  EXPECT_EQ(evaluate_one(file, overlapping)["verdict"], "undecided");
+}
+
+// What a test does not tell from chance holds not even in part, and three replications can't tell anything.
+TEST(Claims, WhatChanceMayDoIsUndecided) {
+  TemporaryFolder folder;
+  const std::string asked = check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "0.05"),
+                    in_part = check("ratio", "accuracy.n1", "accuracy.n10", "[3]", "[1]", "0.05"),
+                    fails = check("ratio", "accuracy.n1", "accuracy.n10", "[9]", "[8]", "0.05"),
+                    untested = check("value", "accuracy.n1", "", "[0]", "[0]");
+  const auto verdict = [&](const std::string& checks, const json& statistics) {
+    return evaluate_one(claim_file(folder, checks), statistics)["verdict"].get<std::string>();
+  };
+  for (const int n : {1, 2, 3}) {
+    EXPECT_EQ(verdict(asked, accuracies(n)), "undecided") << n;
+    EXPECT_EQ(verdict(in_part, accuracies(n)), "undecided") << n;
+    EXPECT_EQ(verdict(fails, accuracies(n)), "not") << n;
+  }
+  EXPECT_EQ(verdict(asked, accuracies(5)), "reproduced");
+  EXPECT_EQ(verdict(in_part, accuracies(5)), "partly");
+  EXPECT_EQ(verdict(asked + fails, accuracies(2)), "undecided");
+  EXPECT_EQ(verdict(asked + untested, accuracies(2)), "partly");
+  const json claim = evaluate_one(claim_file(folder, asked), accuracies(2));
+  EXPECT_EQ(claim["checks"][0]["outcome"], "undecided");
+  EXPECT_EQ(claim["reason"], "0 of 1 check holds, 1 is not told from chance.");
+  EXPECT_THAT(verdict_tiles(json::array({claim})), HasSubstr("<b>1</b><span>? undecided"));
+  EXPECT_THAT(claims_table(json::array({claim})), HasSubstr("? not told from chance"));
 }
 
 // Two against two give a p of 1/3 at least: none is told, and what is told says between what and of how many.
@@ -148,13 +174,13 @@ TEST(Claims, ASmallRunIsNotDecidedButIndicates) {
   TemporaryFolder folder;
   const auto file =
       claim_file(folder, check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "7.1e-18"), "full");
-  const json few = evaluate_one(file, accuracies(3, 500));
+  const json few = evaluate_one(file, accuracies(5, 500));
   EXPECT_EQ(few["verdict"], "not at this size");
-  EXPECT_EQ(few["indication"], "reproduced");  // complete separation is all that three can show
-  EXPECT_THAT(few["reason"].get<std::string>(), HasSubstr("50 replications (this run: 3)"));
+  EXPECT_EQ(few["indication"], "reproduced");  // complete separation is all that five can show
+  EXPECT_THAT(few["reason"].get<std::string>(), HasSubstr("50 replications (this run: 5)"));
   EXPECT_THAT(few["reason"].get<std::string>(), HasSubstr("generations (this run: 500)"));
   EXPECT_FALSE(few["needs"][0]["met"]);
-  EXPECT_EQ(few["needs"][0]["found"], 3);
+  EXPECT_EQ(few["needs"][0]["found"], 5);
 
   const json short_run = evaluate_one(file, accuracies(50, 500));
   EXPECT_EQ(short_run["verdict"], "not at this size");
@@ -219,8 +245,8 @@ TEST(Claims, TheFileIsReadStrictly) {
   EXPECT_THROW(evaluate_claims(kClaims, json::object()), InputError);
 }
 
-// What the settings decide is shown, but no verdict.
-TEST(Claims, OfTheDesignAreNotCounted) {
+// What the settings decide, and what the paper does not say, is shown, but not counted.
+TEST(Claims, OfTheDesignAndOursAreNotCounted) {
   TemporaryFolder folder;
   const auto file = claim_file(folder, check("value", "accuracy.n1", "", "[0]", "[0]"));
   std::stringstream whole;
@@ -232,7 +258,12 @@ TEST(Claims, OfTheDesignAreNotCounted) {
   EXPECT_EQ(design[0]["verdict"], "reproduced");
   EXPECT_THAT(verdict_tiles(design), HasSubstr("<b>0</b><span>✓ reproduced"));
   EXPECT_THAT(claims_table(design), HasSubstr("Facts of the design"));
-  text.replace(text.find("\"design\""), 8, "\"result\"");
+  text.replace(text.find("\"design\""), 8, "\"ours\"");
+  std::ofstream(file) << text;
+  const json ours = evaluate_claims(file, accuracies(3));
+  EXPECT_THAT(verdict_tiles(ours), HasSubstr("<b>0</b><span>✓ reproduced"));
+  EXPECT_THAT(claims_table(ours), HasSubstr("What we ask besides"));
+  text.replace(text.find("\"ours\""), 6, "\"result\"");
   std::ofstream(file) << text;
   const json result = evaluate_claims(file, accuracies(3));
   EXPECT_THAT(verdict_tiles(result), HasSubstr("<b>1</b><span>✓ reproduced"));
