@@ -55,8 +55,11 @@ RbfClassifier fit_rbf_classifier(const Rows& features, const std::vector<std::ui
   Eigen::MatrixXd system = products.cast<double>();
   system.diagonal().array() += ridge;
   const Eigen::LLT<Eigen::MatrixXd> factor(system);
-  HBR_CHECK(factor.info() == Eigen::Success, "ridge {} is too small for {} bumps in single precision", ridge,
-            bumps);
+  if (factor.info() != Eigen::Success)
+    throw InputError(
+        "judge: ridge {} is too small for {} bumps of gamma {} in single precision; expected a larger ridge "
+        "or gamma",
+        ridge, bumps, gamma);
   classifier.weights = factor.solve(targets.cast<double>()).cast<float>();
   return classifier;
 }

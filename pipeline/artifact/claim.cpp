@@ -78,7 +78,7 @@ void claim_folder(const fs::path& out, const Process& holder) {
   std::ofstream(own.path) << text_of(holder) << std::flush;
   if (!fs::exists(own.path) || fs::file_size(own.path) == 0) fail(out);
   while (!put(out, own.path)) {
-    if (!fs::exists(claim)) continue;  // left this moment
+    if (!fs::exists(fs::symlink_status(claim))) continue;  // left this moment
     judge(out, holder, silence(claim, own.path));
     if (::rename(own.path.c_str(), claim.c_str()) != 0) fail(out);
     // Another host may do the same this moment: the later one holds it.

@@ -250,6 +250,17 @@ std::vector<Freshness> freshness_of(const Workspace& workspace, const Graph& gra
 
 void check_graph(const Graph& graph) {
   std::set<std::string> taken, outputs;
+  const auto inside_another = [&](const Node& node) {
+    for (fs::path above = fs::path(node.output).parent_path(); !above.empty(); above = above.parent_path())
+      if (outputs.contains(above.string()))
+        throw InputError(
+            "stage graph: {} (of stage {}) lies in {}, which is a folder that another stage makes",
+            node.output, node.stage, above.string());
+    const auto below = outputs.lower_bound(node.output + "/");
+    if (below != outputs.end() && below->starts_with(node.output + "/"))
+      throw InputError("stage graph: {} (of stage {}) is the folder of {}, which another stage makes",
+                       node.output, node.stage, *below);
+  };
   for (const Node& node : graph) {
     const fs::path path(node.output);
     // Plain names only: they become targets in a makefile.
@@ -262,10 +273,15 @@ void check_graph(const Graph& graph) {
     for (const std::string& place : {node.output, manifest_path("", node).string()})
       if (!taken.insert(place).second)
         throw InputError("stage graph: two nodes want the place {} (one of them {})", place, node.stage);
-    for (const auto& [name, output] : node.inputs)
+    inside_another(node);
+    std::set<std::string> named;
+    for (const auto& [name, output] : node.inputs) {
+      if (!named.insert(name).second)
+        throw InputError("stage graph: {} has two inputs '{}'", node.output, name);
       if (!outputs.contains(output))
         throw InputError("stage graph: {} needs {} as its input '{}', which no earlier node makes{}",
                          node.output, output, name, did_you_mean(output, {outputs.begin(), outputs.end()}));
+    }
     outputs.insert(node.output);
   }
 }

@@ -48,6 +48,22 @@ nlohmann::json converted(const toml::node& node, const std::string& pointer, Set
   return nullptr;  // a date or time: no field takes one
 }
 
+// toml++ and what follows go down a key's parts one within the other.
+constexpr std::ptrdiff_t kMostParts = 32;
+
+void refuse_long_keys(const std::string& text, const std::string& file) {
+  std::istringstream lines(text);
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string::npos || line[first] == '#') continue;
+    const std::string key = line.substr(0, line[first] == '[' ? line.find(']') : line.find('='));
+    if (std::ranges::count(key, '.') >= kMostParts)
+      throw InputError("{}:{}:1: a key of more than {} parts; expected one of a profile's", file, number,
+                       kMostParts);
+  }
+}
+
 bool is_below(const std::string& pointer, const std::string& root) {
   return pointer.starts_with(root) && (pointer.size() == root.size() || pointer[root.size()] == '/');
 }
@@ -115,6 +131,7 @@ SettingsSource read_toml(const std::filesystem::path& file) {
   SettingsSource source;
   source.file = file.string();
   try {
+    refuse_long_keys(text.str(), source.file);
     const toml::table table = toml::parse(text.str(), source.file);
     source.values = converted(table, "", source);
   } catch (const toml::parse_error& error) {

@@ -41,8 +41,12 @@ int guarded_main(const std::string& name, const std::function<int()>& body) {
     return told(name, "", failure.what(), 1);
   } catch (const std::bad_alloc&) {
     return told(name, "", out_of_memory(), 3);
-  } catch (const std::system_error& error) {  // a thread that can't be started, mostly
-    return told(name, "", fmt::format("{}; use fewer THREADS or jobs, or raise ulimit -u", error.what()), 3);
+  } catch (const std::system_error& error) {
+    const bool threads = error.code() == std::errc::resource_unavailable_try_again;
+    return told(
+        name, "",
+        fmt::format("{}{}", error.what(), threads ? "; use fewer THREADS or jobs, or raise ulimit -u" : ""),
+        3);
   } catch (const std::exception& error) {
     const std::string text = error.what();
     // OpenCV's own word for it.

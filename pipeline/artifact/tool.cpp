@@ -12,6 +12,7 @@
 #include "pipeline/artifact/status.h"
 #include "pipeline/artifact/tool_commands.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/utf8.h"
 
 namespace hbr::inline artifact {
 namespace fs = std::filesystem;
@@ -126,6 +127,14 @@ int tool_main(int argc, char** argv, const std::function<Graph(const fs::path&)>
       throw InputError("{}", error.what());
     }
     for (fs::path* path : {&a.workspace.programs, &a.workspace.repository}) *path = absolute_path(*path);
+    for (const auto& [what, text] : {std::pair{"OUT", a.workspace.out.string()},
+                                     {"PROFILE", a.profile.string()},
+                                     {"LAUNCH", a.run.launch},
+                                     {"the folder of the programs", a.workspace.programs.string()},
+                                     {"the folder of the sources", a.workspace.repository.string()}})
+      if (!is_utf8(text))
+        throw InputError("{} is '{}', which is not UTF-8, as the texts in manifests are; rename it", what,
+                         as_utf8(text));
     // A make's user may write two; the shell takes them for a number of its own.
     if (a.run.launch.find("$$") != std::string::npos)
       throw InputError("LAUNCH='{}': write one $ before a variable's name, the whole in single quotes",

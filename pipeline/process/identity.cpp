@@ -9,7 +9,7 @@
 #include <csignal>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 
 namespace hbr::inline process {
 namespace {
@@ -17,7 +17,9 @@ namespace {
 // By /proc: 0 where it has ended or is about to.
 unsigned long long start_of(int id) {
   std::ifstream file(fmt::format("/proc/{}/stat", id));
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream content;
+  content << file.rdbuf();  // which fails, and does not throw, where the process ends while it is read
+  const std::string text = content.str();
   const std::size_t name = text.rfind(')');  // it may hold spaces itself
   if (name == std::string::npos) return 0;
   char state = 0;

@@ -97,8 +97,12 @@ class DistanceArchive final : public Repertoire {
 
 template <int D>
 std::unique_ptr<Repertoire> make(int genes, int size, const DistanceArchiveSettings& s) {
-  if constexpr (D > 8) {
-    HBR_CHECK(false, "descriptor size {}", size);
+  if constexpr (D > kMostDimensions) {
+    throw InputError(
+        "descriptors of {} dimensions; this container has at most {}: take the container cvt, or describe "
+        "solutions "
+        "by less",
+        size, kMostDimensions);
   } else {
     if (size == D) return std::make_unique<DistanceArchive<D>>(genes, s);
     return make<D + 1>(genes, size, s);

@@ -22,7 +22,10 @@ struct DistanceArchiveSettings {
   Contest contest = Contest::kDominance;
 };
 
-// descriptor_size: 1 to 8. Equal distances are settled in favour of the elite in the lower slot.
+inline constexpr int kMostDimensions = 8;  // of descriptors
+
+// descriptor_size: 1 to kMostDimensions; InputError where it is more. Equal distances are settled in favour
+// of the elite in the lower slot.
 std::unique_ptr<Repertoire> make_distance_archive(int genes, int descriptor_size,
                                                   const DistanceArchiveSettings& settings);
 

@@ -8,8 +8,15 @@ namespace hbr::inline qd {
 
 std::size_t GridCells::size() const {
   HBR_CHECK(cells > 0 && high > low, "{} cells over [{}, {}]", cells, low, high);
+  constexpr std::size_t kMost = std::size_t{1} << 28;
   std::size_t total = 1;
-  for (int d = 0; d < descriptor_size; ++d) total *= static_cast<std::size_t>(cells);
+  for (int d = 0; d < descriptor_size; ++d)
+    if ((total *= static_cast<std::size_t>(cells)) > kMost)
+      throw InputError(
+          "a grid of {} cells in each of {} dimensions; expected at most {} cells in all: fewer grid_cells, "
+          "or the "
+          "container cvt, which has as many as are asked for",
+          cells, descriptor_size, kMost);
   return total;
 }
 

@@ -21,12 +21,15 @@ template <int D>
 class NeighbourGrid {
  public:
   static constexpr int kGridDims = D < 4 ? D : 4;
+  static constexpr float kMostCells = 1 << 24;  // 64 MB
 
   // Box [low, high] in every dimension, cut into cells a little larger than `cell_size`, so that a radius of
-  // that size reaches into the next cell and no farther.
+  // that size reaches into the next cell and no farther; larger ones where there would be more than
+  // kMostCells.
   NeighbourGrid(float low, float high, float cell_size)
       : low_(low),
-        cells_(std::max(1, static_cast<int>(std::floor((high - low) / (cell_size * 1.001f))))),
+        cells_(static_cast<int>(std::clamp(std::floor((high - low) / (cell_size * 1.001f)), 1.0f,
+                                           std::floor(std::pow(kMostCells, 1.0f / kGridDims)) - 2))),
         size_((high - low) / static_cast<float>(cells_)) {
     std::size_t total = 1;
     for (int d = kGridDims - 1; d >= 0; --d) {

@@ -104,4 +104,10 @@ ArtifactName parse_artifact_name(const std::string& name, const std::set<std::st
   return result;
 }
 
+bool can_be_a_layers_name(const std::string& name) {
+  constexpr std::array kTaken = {"all", "page", "readings", "report"};
+  if (std::ranges::find(kTaken, name) != kTaken.end()) return false;
+  return is_search(parse_artifact_name(name, {name}).head);
+}
+
 }  // namespace hbr::inline statistics

@@ -23,6 +23,9 @@ struct ArtifactName {
 // FORMAT.md.
 ArtifactName parse_artifact_name(const std::string& name, const std::set<std::string>& layers = {});
 
+// Whether a profile may call a layer so: not where its artifacts would be taken for those of another stage.
+bool can_be_a_layers_name(const std::string& name);
+
 // Searches whose course is kept: layers, reference and flat baselines.
 bool is_search(const std::string& head);
 

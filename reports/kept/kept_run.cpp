@@ -213,24 +213,29 @@ KeptRun read_run(const fs::path& out) {
 
 void write_kept(const KeptRun& run, const fs::path& folder) {
   fs::create_directories(folder);
-  for (const auto& entry : fs::directory_iterator(folder))  // of variations that are no more
-    if (entry.path().filename().string().ends_with(kStatistics)) fs::remove(entry.path());
-  write_file(
+  write_whole(
       folder / "origin.json",
       json{{"profile", run.profile}, {"toolchain", run.toolchain}, {"versions", run.versions}}.dump(1) +
           "\n");
   for (const auto& [variation, statistics] : run.statistics)
-    write_file(folder / ((variation.empty() ? "" : variation + ".") + kStatistics), in_lines(statistics));
-  write_file(folder / "claims.json", list_in_lines(run.claims));
+    write_whole(folder / ((variation.empty() ? "" : variation + ".") + kStatistics), in_lines(statistics));
+  write_whole(folder / "claims.json", list_in_lines(run.claims));
   std::string artifacts = std::string(kHead) + "\n";
   for (const auto& [name, artifact] : run.artifacts)
     artifacts += fmt::format("{},{},{}\n", name, artifact.bytes, artifact.settings);
-  write_file(folder / "artifacts.csv", artifacts);
+  write_whole(folder / "artifacts.csv", artifacts);
   std::string costs = std::string(kCostsHead) + "\n";
   for (const auto& [stage, cost] : run.costs)
     costs += fmt::format("{},{},{},{},{},{}\n", stage, cost.artifacts, cost.seconds, cost.cpu_seconds,
                          cost.memory, cost.disk);
-  write_file(folder / "costs.csv", costs);
+  write_whole(folder / "costs.csv", costs);
+  for (const auto& entry : fs::directory_iterator(folder)) {  // of variations that are no more
+    const std::string file = entry.path().filename().string();
+    if (!file.ends_with(kStatistics)) continue;
+    const std::string variation = file.substr(0, file.size() - std::string(kStatistics).size());
+    if (!run.statistics.contains(variation.substr(0, variation.size() - (variation.empty() ? 0 : 1))))
+      fs::remove(entry.path());
+  }
 }
 
 KeptRun read_kept(const fs::path& folder) {

@@ -11,7 +11,9 @@
 #include "pipeline/artifact/content.h"
 #include "pipeline/artifact/families.h"
 #include "pipeline/artifact/progress.h"
+#include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 #include "reports/kept/costs.h"
 #include "reports/kept/lineage.h"
 #include "reports/kept/scaling.h"
@@ -27,6 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kMark = "<!-- provenance -->";
+constexpr int kTries = 10;  // to put a report where others do so, too
 
 // "version", "compiler", ... -> what occurs
 std::map<std::string, std::set<std::string>> words_of(const std::map<std::string, Manifest>& manifests) {
@@ -137,14 +140,19 @@ void publish_report(const fs::path& page, const fs::path& out, const fs::path& r
   html.replace(mark, std::string(kMark).size(), provenance_html(out));
   if (is_published(page, html, report)) return;
 
-  const fs::path copy = report.string() + ".new", old = report.string() + ".old";
-  fs::remove_all(copy);
-  fs::remove_all(old);
-  fs::copy(page, copy, fs::copy_options::recursive);
-  write_file(copy / "index.html", html);
-  if (fs::exists(report)) fs::rename(report, old);
-  fs::rename(copy, report);
-  fs::remove_all(old);
+  // Under names of this process's own: another make may publish at the same time, and then the later one
+  // stands.
+  const Temporary copy(temporary_beside(report, "new")), old(temporary_beside(report, "old"));
+  fs::copy(page, copy.path, fs::copy_options::recursive);
+  write_file(copy.path / "index.html", html);
+  std::error_code taken;
+  for (int tries = 0; tries < kTries; ++tries) {
+    if (fs::exists(report)) fs::rename(report, old.path, taken);
+    fs::rename(copy.path, report, taken);
+    if (!taken) return;
+    fs::remove_all(old.path);
+  }
+  throw file_error(report, "can't put the report there", taken.value());
 }
 
 }  // namespace hbr::inline reports

@@ -17,7 +17,7 @@ struct ArmTable {
 };
 template <class Fields>
 void describe(Fields& f, ArmTable& s) {
-  f.numbers("links", s.links, Range{1e-3, 10}, "lengths of the links, base first, m");
+  f.numbers("links", s.links, Range{1e-3, 10}, "lengths of the links, base first, m; one at least");
   f.number("joint_limit", s.joint_limit, Range{1e-3, 3.2}, "every joint turns in [-limit, limit], rad");
 }
 

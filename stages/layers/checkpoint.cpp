@@ -25,6 +25,18 @@ void write_checkpoint(const std::filesystem::path& path, const SearchState& stat
   std::filesystem::rename(unfinished, path);
 }
 
+bool can_resume(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return false;
+  try {
+    read_checkpoint(path);
+    return true;
+  } catch (const InputError& error) {
+    fmt::print(stderr, "the search begins anew: {}\n", error.what());
+    std::filesystem::remove(path);
+    return false;
+  }
+}
+
 SearchState read_checkpoint(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
   const Elites elites = read_elites(path);
@@ -36,9 +48,8 @@ SearchState read_checkpoint(const std::filesystem::path& path) {
       order[slot[i]] = static_cast<std::int32_t>(i);
   if (static_cast<Eigen::Index>(slot.size()) != elites.size() || generation.size() != 1 ||
       std::ranges::find(order, -1) != order.end())
-    throw InputError(
-        "{}: a damaged checkpoint: expected a slot for each of {} elites and one generation; remove it",
-        path.string(), elites.size());
+    throw InputError("{}: a damaged checkpoint: expected a slot for each of {} elites and one generation",
+                     path.string(), elites.size());
   return {generation[0], in_order(elites, order), file.read<std::int64_t>("selector").values,
           read_progress(path)};
 }

@@ -11,6 +11,9 @@ namespace hbr::inline stages {
 
 // Whole or not at all.
 void write_checkpoint(const std::filesystem::path& path, const SearchState& state);
+// Whether there is one that can be read. A damaged one, as a machine that stopped may leave it, is removed
+// and told: what it saved is lost, and no more.
+bool can_resume(const std::filesystem::path& path);
 // Throws InputError where the file is damaged.
 SearchState read_checkpoint(const std::filesystem::path& path);
 

@@ -25,7 +25,7 @@ void evolve(StageRun& stage, const SearchTable& table, const Variation& variatio
                 {table.generations, table.batch, table.record_every,
                  table.curiosity_credit == "published" ? Credit::kPublished : Credit::kParent},
                 seed);
-  if (std::filesystem::exists(stage.checkpoint())) search.resume(read_checkpoint(stage.checkpoint()));
+  if (can_resume(stage.checkpoint())) search.resume(read_checkpoint(stage.checkpoint()));
 
   Workers workers(stage.threads());
   auto saved = std::chrono::steady_clock::now();

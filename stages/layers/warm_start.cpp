@@ -59,7 +59,7 @@ void write_warm_start(const std::filesystem::path& checkpoint, const SearchTable
 void evolve_on(StageRun& stage, const SearchTable& table, std::int64_t more, const Elites& elites,
                const Variation& variation, const Evaluator& evaluator, Seed seed, DescriptorRange range,
                const std::function<void(Hdf5Writer&, const Elites&)>& finish) {
-  if (!std::filesystem::exists(stage.checkpoint())) {
+  if (!can_resume(stage.checkpoint())) {
     Workers workers(stage.threads());
     write_warm_start(stage.checkpoint(), table,
                      described(elites, evaluator, seed.child("described"), workers), table.generations - more,

@@ -38,6 +38,10 @@ std::vector<std::uint8_t> random_strokes(const hbr::StrokesTable& s, hbr::Seed s
 void run(hbr::StageRun& stage) {
   const auto s = stage.settings_as<hbr::JudgeStage>();
   const hbr::Dataset dataset = hbr::read_dataset(stage.input("dataset"));
+  if (dataset.test.size() < 2)
+    throw hbr::InputError(
+        "{}: {} test images; expected two at least: every other one decides what is typical",
+        stage.input("dataset").string(), dataset.test.size());
   hbr::Workers workers(stage.threads());
   const hbr::Judge judge(s.judge, dataset, workers);
 

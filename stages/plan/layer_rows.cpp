@@ -124,6 +124,7 @@ class RowReader {
   }
 
   LayerRow row(const std::string& name, const json& own) const {
+    check_name(profile_.file, "layers", name);
     const std::string pointer = "/layers/" + name;
     table(pointer, own);
     LayerRow row{name, &kind_of(pointer, own), text(pointer, own, "below"), {}, {}};

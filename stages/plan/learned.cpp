@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include "models/onnx/file/weights.h"
+#include "pipeline/core/utf8.h"
 #include "stages/plan/plan.h"
 
 namespace hbr::inline stages {
@@ -40,6 +41,9 @@ void plan_learned(Plan& plan) {
   DatasetSettings dataset = p.dataset;
   if (const char* folder = std::getenv("MNIST_DIR"); folder && *folder && dataset.name == "mnist")
     dataset.folder = folder;
+  if (!is_utf8(dataset.folder))
+    plan.fail(fmt::format("the dataset's folder '{}' is not UTF-8, as the texts in manifests are; rename it",
+                          as_utf8(dataset.folder)));
   plan.add("dataset", "dataset", -1, settings_to_json(dataset), {}, idx_files(dataset.folder));
   plan.add("judge", "judge", -1,
            {{"seed", p.seed},

@@ -4,7 +4,13 @@
 #include <cctype>
 #include <set>
 
+#include "pipeline/qd/distance_archive.h"
+#include "pipeline/statistics/names.h"
+
 namespace hbr::inline stages {
+
+// m; layer 1 is asked at each of the points of every line.
+constexpr double kLeastLineSpacing = 1e-4;
 
 nlohmann::json with(nlohmann::json settings, const nlohmann::json& more) {
   settings.update(more);
@@ -31,10 +37,16 @@ void Plan::check() const {
     }
   };
   check_names("layers", rows_);
+  for (const LayerRow& row : rows_)
+    if (!can_be_a_layers_name(row.name))
+      fail(fmt::format(
+          "layers: the name '{}' would be taken for that of another stage's results; expected another",
+          row.name));
   check_names("robots", profile_.robots);
   check_names("searches.variants", profile_.searches.variants);
   if (std::ranges::find(profile_.robots, "arm", &RobotSettings::name) != profile_.robots.end())
     fail("robots: name 'arm' is the planar arm's; expected another");
+  if (profile_.arm.links.empty()) fail("arm.links is empty; expected the length of one link at least");
   if (profile_.replications.digits > profile_.replications.lines)
     fail(
         fmt::format("replications.digits = {}: expected at most replications.lines ({}), whose layers the "
@@ -44,6 +56,22 @@ void Plan::check() const {
     fail("descriptor: kind = 'onnx' with file = ''; expected the path of an ONNX network");
   if (const std::string fault = fault_of(profile_.descriptor.onnx); !fault.empty())
     fail(fmt::format("descriptor.onnx.{}", fault));
+  for (const LayerRow& row : rows_) {
+    const double line_spacing = row.settings.value("line_spacing", 0.0);
+    if (line_spacing > 0 && line_spacing < kLeastLineSpacing)
+      fail(fmt::format("layers.{}: line_spacing = {} m; expected 0 (at a line's end alone) or {} at least",
+                       row.name, line_spacing, kLeastLineSpacing));
+    const bool cells = row.search.container == "grid" || row.search.container == "cvt";
+    const int dimensions = row.kind->name == std::string("numbers") && profile_.descriptor.kind != "onnx"
+                               ? row.settings["digits"].get<int>() * profile_.autoencoder.latent_size
+                               : 0;
+    if (!cells && dimensions > kMostDimensions)
+      fail(fmt::format(
+          "layers.{}: {} digits in {} latent dimensions make descriptors of {}; the container {} has at "
+          "most {}: fewer of either, another container, or leave_out = ['{}']",
+          row.name, row.settings["digits"].get<int>(), profile_.autoencoder.latent_size, dimensions,
+          row.search.container, kMostDimensions, row.name));
+  }
   for (const LayerRow& row : rows_)
     if (row.settings.contains("pencil") &&
         row.settings["pencil"]["thinnest_px"] > row.settings["pencil"]["thickest_px"])

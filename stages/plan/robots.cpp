@@ -137,7 +137,7 @@ void plan_tuning(Plan& plan, const std::string& name, const RobotSettings* robot
 
 void plan_robots(Plan& plan) {
   const Profile& p = plan.profile();
-  if (p.replications.digits == 0 || p.robots.empty()) return;
+  if (p.replications.digits == 0 || p.robots.empty() || p.digits.hierarchy.empty()) return;
   for (const RobotRow& robot : p.robots) {
     plan_points(plan, robot, {{"robot", settings_to_json<RobotSettings>(robot)}});
     plan_transfer(plan, robot);

@@ -1,5 +1,6 @@
 // What is done with finished layers.
 #include <algorithm>
+#include <map>
 
 #include "stages/plan/plan.h"
 
@@ -25,6 +26,13 @@ void add_comparison(Plan& plan, const std::string& stage, const std::vector<std:
                     const char* key, const nlohmann::json& settings, const LayerRow* flat = nullptr) {
   if (names.empty()) return;
   const LayerRow& first = plan.layer(names.front(), key);
+  std::map<std::string, std::string> labels;
+  for (const std::string& name : names)
+    if (const auto [other, fresh] = labels.emplace(label(name), name); !fresh)
+      plan.fail(
+          fmt::format("{}: '{}' and '{}' would both be called '{}'; expected layers that differ in what "
+                      "follows the first _",
+                      key, other->second, name, other->first));
   for (const std::string& name : names)
     if (plan.layer(name, key).below != first.below)
       plan.fail(fmt::format("{}: '{}' is built on '{}', '{}' on '{}'; expected layers on the same one", key,

@@ -26,6 +26,7 @@ namespace {
 constexpr double kTouching = 1e-3;  // m above the lowest place: it touches the floor
 constexpr double kFarOutside = 1;   // m outside the sole, at most: where the ground would have to pull
 constexpr double kNoGrip = 100;     // likewise
+constexpr double kMostSteps = 1e7;  // of the integration, and points of the spline, of one digit
 
 struct DynamicsSlice : RunTable {
   DynamicsTable dynamics;
@@ -137,16 +138,6 @@ struct Player {
   }
 };
 
-// The tip's way along a movement that is followed exactly, at every command.
-std::vector<Eigen::Vector3d> exact_way(const RobotOnPlane& robot, const JointPath& movement,
-                                       const ServoSettings& servos) {
-  std::vector<Eigen::Vector3d> way;
-  const double period = servos.step * servos.control_every;
-  for (int k = 0; k <= static_cast<int>(std::ceil(movement.duration() / period)); ++k)
-    way.push_back(robot.body().position(robot.tip(), movement.at(k * period).position.data()));
-  return way;
-}
-
 // "27 of 27 digits leave the board, by up to 8.6 mm", and so on, where more than a share of them do.
 std::string losses(const Player& player, const std::vector<std::uint8_t>& lost, std::size_t readable,
                    double tolerated) {
@@ -184,17 +175,25 @@ std::optional<Support> sole(const StageRun& stage, const Body& body, const Robot
 }
 
 // The movement along configurations, at the profile's pace or, where that asks a joint of one of the bodies
-// for too much, a tenth below the pace that does not.
+// for too much, a tenth below the pace that does not, unless that is too slow to be computed.
 JointPath movement_along(const std::vector<double>& joints, const std::vector<float>& pen,
                          const DynamicsTable& table, const std::vector<Player*>& players) {
   std::vector<double> times = times_at_pace(pen, joints, table.pace, table.joint_pace);
+  const double longest = kMostSteps * std::min(table.step, table.smoothing);
+  if (times.back() > longest)
+    throw InputError(
+        "dynamics: a digit takes {:.3g} s at pace = {} and joint_pace = {}, more than {:.0e} steps of {} s; "
+        "expected "
+        "a greater pace, step or smoothing",
+        times.back(), table.pace, table.joint_pace, kMostSteps, std::min(table.step, table.smoothing));
   JointPath movement(joints, times, table.smoothing);
   if (!table.within_limits) return movement;
   double factor = 1;
   for (const Player* player : players)
     factor =
         std::min(factor, 0.9 * player->servos.fastest(movement, table.step * table.control_every).factor);
-  if (factor >= 1 || factor <= 0) return movement;  // standing still may be too much: no pace helps
+  // Standing still may be too much, so that no pace helps.
+  if (factor >= 1 || factor <= 0 || times.back() / factor > longest) return movement;
   for (double& time : times) time /= factor;
   return JointPath(joints, times, table.smoothing);
 }

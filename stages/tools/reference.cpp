@@ -36,7 +36,7 @@ int fill_tables(const fs::path& tables, const fs::path& references) {
   for (const hbr::KeptTable& table : hbr::read_kept_tables(tables)) {
     const std::string before = hbr::read_whole(table.file),
                       after = hbr::with_table(before, table, hbr::as_markdown(table, kept));
-    if (after != before) hbr::write_file(table.file, after);
+    if (after != before) hbr::write_whole(table.file, after);
     fmt::print("{}: table '{}' {}\n", table.file, table.name,
                after == before ? "is as it should be" : "filled");
   }

@@ -8,6 +8,7 @@
 #include "models/robot/body/body.h"
 #include "models/robot/body/chain.h"
 #include "models/robot/body/robot_facts.h"
+#include "models/robot/description/find_mesh.h"
 #include "models/robot/looks/boards.h"
 #include "models/robot/looks/reach_cloud.h"
 #include "models/robot/looks/render.h"
@@ -86,6 +87,19 @@ Eigen::AlignedBox3d box_of(const Scene& scene) {
     for (const Mesh& mesh : body.meshes)
       for (const Eigen::Vector3f& vertex : mesh.vertices) box.extend(body.pose * vertex.cast<double>());
   return box;
+}
+
+// Throws where one of the files that are written is one that the robot is read from.
+void keep_what_is_read(const RobotModel& model, const std::filesystem::path& folder,
+                       const std::vector<std::string>& written) {
+  std::vector<std::filesystem::path> read = mesh_files(model, folder);
+  read.push_back(model.path);
+  std::error_code not_there;
+  for (const std::string& file : written)
+    for (const std::filesystem::path& other : read)
+      if (std::filesystem::equivalent(file, other, not_there))
+        throw InputError("{} is a file of the robot, and would be overwritten; give another folder as OUT",
+                         file);
 }
 
 // The folder of the meshes: as given; NAO's are no files of the project, they are made.
@@ -177,7 +191,11 @@ void describe(const std::filesystem::path& urdf, const std::filesystem::path& ou
   std::vector<std::string> odd = model.odd;
   keep_within_limits(model, pose, odd);
   make_folder(out);
-  const auto meshes = visible_links(model, meshes_in(folder, urdf, out), 1, odd);
+  const std::string stem = (out / urdf.stem()).string();
+  const std::filesystem::path own = meshes_in(folder, urdf, out);
+  keep_what_is_read(
+      model, own, {stem + ".html", stem + ".glb", stem + ".png", stem + "_reach.png", stem + "_boards.png"});
+  const auto meshes = visible_links(model, own, 1, odd);
   const Body body(model, {}, pose);  // stands as it was told
   const auto frames = body.link_poses(Eigen::VectorXd());
   Scene scene;
@@ -207,7 +225,6 @@ void describe(const std::filesystem::path& urdf, const std::filesystem::path& ou
     for (const Mesh& mesh : link) triangles += mesh.triangles.size();
   if (triangles > 2000000)
     fmt::print(stderr, "robot: draws {:.0f} million triangles\n", 1e-6 * static_cast<double>(triangles));
-  const std::string stem = (out / urdf.stem()).string();
   const auto file = [&](const char* end) { return urdf.stem().string() + end; };
   write_png(stem + ".png", render(scene, view_of(scene), 800, 1000));
   save_scene(stem + ".glb", "glb2", scene.bodies);

@@ -81,6 +81,23 @@ TEST_F(RobotProgram, ShowsWhatIsOdd) {
     EXPECT_THAT(told.text, HasSubstr(words));
 }
 
+// OUT may be the folder in which the robot's own files lie, but for those that would be overwritten.
+TEST_F(RobotProgram, OverwritesNothingThatItReads) {
+  const fs::path arm = folder_.path() / "arm.urdf", mesh = folder_.path() / "arm.glb";
+  const ShellResult made = robot("models/industrial/six_joint_arm.urdf " + folder_.path().string());
+  ASSERT_EQ(made.code, 0) << made.text;
+  fs::rename(folder_.path() / "six_joint_arm.glb", mesh);
+  std::ofstream(arm) << "<robot name=\"arm\"><link name=\"a\"><visual><geometry><mesh filename=\"arm.glb\"/>"
+                        "</geometry></visual></link></robot>";
+  const auto written = fs::last_write_time(mesh);
+  const ShellResult told = robot(arm.string() + " " + folder_.path().string());
+  EXPECT_EQ(told.code, 2);
+  EXPECT_THAT(told.text,
+              HasSubstr("arm.glb is a file of the robot, and would be overwritten; give another folder"));
+  EXPECT_EQ(fs::last_write_time(mesh), written);
+  EXPECT_EQ(robot(arm.string() + " " + (folder_.path() / "out").string()).code, 0);
+}
+
 TEST_F(RobotProgram, RefusesInOneLine) {
   const std::string out = folder_.path().string(), arm = "models/industrial/six_joint_arm.urdf ",
                     nao = "models/nao/nao.urdf ";

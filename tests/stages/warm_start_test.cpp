@@ -7,6 +7,7 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/qd/distance_archive.h"
+#include "stages/layers/checkpoint.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -72,6 +73,19 @@ class WarmStart : public testing::Test {
   TemporaryFolder folder_;
   SearchTable table_;
 };
+
+// A checkpoint in pieces is as none: what is made from the beginning is the same.
+TEST_F(WarmStart, ADamagedCheckpointIsAsNone) {
+  const std::filesystem::path checkpoint = folder_.path() / "damaged";
+  EXPECT_FALSE(can_resume(checkpoint));
+  write_warm_start(checkpoint, table_, random_elites(100), 100, {});
+  EXPECT_TRUE(can_resume(checkpoint));
+  std::filesystem::resize_file(checkpoint, std::filesystem::file_size(checkpoint) / 2);
+  EXPECT_FALSE(can_resume(checkpoint));
+  EXPECT_FALSE(std::filesystem::exists(checkpoint));
+  std::ofstream(checkpoint).flush();
+  EXPECT_FALSE(can_resume(checkpoint));
+}
 
 // Nothing is lost of a finished search whose elites do here what they did there: the search goes on.
 TEST_F(WarmStart, KeepsAllOfAFinishedSearch) {

@@ -152,6 +152,7 @@ std::string plain_weights(std::string_view model, const std::filesystem::path& f
 
 std::vector<std::filesystem::path> weight_files(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> found;
+  if (!std::filesystem::is_regular_file(file)) return found;  // likewise
   std::ifstream stream(file, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(stream), {}};
   Rewriter rewriter([&](const ExternalData& data, const std::string&, std::uint64_t) {

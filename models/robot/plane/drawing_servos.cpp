@@ -31,6 +31,15 @@ std::vector<float> pen_of(const std::vector<Eigen::Vector3d>& tip, const Drawing
   return pen;
 }
 
+std::vector<Eigen::Vector3d> exact_way(const RobotOnPlane& robot, const JointPath& movement,
+                                       const ServoSettings& servos) {
+  std::vector<Eigen::Vector3d> way;
+  const double period = servos.step * servos.control_every;
+  for (int k = 0; k <= static_cast<int>(std::ceil(movement.duration() / period)); ++k)
+    way.push_back(robot.body().position(robot.tip(), movement.at(k * period).position.data()));
+  return way;
+}
+
 DrawingServos::DrawingServos(std::shared_ptr<const Body> body, const RobotSettings& robot,
                              const std::vector<GearSettings>& gears, std::optional<Support> support)
     : body_(std::move(body)), posture_(body_->posture(robot.rest())), support_(std::move(support)) {

@@ -20,6 +20,10 @@ ReplayErrors replay_errors(const Replay& replay, const DrawingPlane& plane);
 // A tip's way [n] as the pen's, [n x 2] m of the arm.
 std::vector<float> pen_of(const std::vector<Eigen::Vector3d>& tip, const DrawingPlane& plane);
 
+// The tip's way along a movement that is followed exactly, at every command.
+std::vector<Eigen::Vector3d> exact_way(const RobotOnPlane& robot, const JointPath& movement,
+                                       const ServoSettings& servos);
+
 class DrawingServos {
  public:
   // Of the robot's table the joints that draw, and the posture in which the body's others hold; what the

@@ -19,6 +19,13 @@ RobotOnPlane::RobotOnPlane(std::string name, std::shared_ptr<const Body> body, c
     if (!moves[i])
       throw InputError("robot '{}': joint '{}' does not move the tip '{}'; leave it out of its joints", name_,
                        body_->moving()[i], tip);
+  for (std::size_t i = 0; i < moves.size(); ++i)
+    if (!(body_->lower()[i] < body_->upper()[i]))
+      throw InputError(
+          "robot '{}': joint '{}' can only stand at {:g}: its <limit> is missing or leaves no range; give it "
+          "one, or "
+          "leave it out of its joints",
+          name_, body_->moving()[i], body_->lower()[i]);
 }
 
 void RobotOnPlane::pens(Eigen::Index n, const double* joints, Pen* pens) const {

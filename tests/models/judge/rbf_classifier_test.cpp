@@ -1,10 +1,11 @@
 #include "models/judge/rbf_classifier.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <Eigen/QR>
 #include <cmath>
 
+#include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
 
 namespace hbr {
@@ -44,6 +45,13 @@ TEST(RbfClassifier, SolvesItsRidgeProblem) {
   for (int b = 0; b < 40; ++b) system(600 + b, b) = std::sqrt(ridge);
   const Eigen::MatrixXd weights = system.householderQr().solve(target);
   EXPECT_LT((weights - fitted.weights.cast<double>()).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+// Bumps that are all alike: what single precision loses is more than the ridge.
+TEST(RbfClassifier, RefusesARidgeThatItsPrecisionSwallows) {
+  const Cloud cloud = rings(3000, 1);
+  EXPECT_THAT([&] { fit_rbf_classifier(cloud.features, cloud.labels, 3, 600, 1e-6, 1e-9); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("expected a larger ridge or gamma")));
 }
 
 TEST(RbfClassifier, TellsRingsApartAndRefusesWhatIsFar) {

@@ -148,5 +148,18 @@ TEST_F(Inheritance, APartKeepsItsPlaces) {
   EXPECT_FALSE(part.places.contains("/parts/0"));
 }
 
+// A key's parts lie one within the other: so many would end the stack.
+TEST_F(Inheritance, AKeyOfManyPartsIsRefused) {
+  std::string deep = "a";
+  for (int i = 0; i < 200'000; ++i) deep += ".a";
+  for (const std::string& line : {deep + " = 1", "[" + deep + "]", "[[" + deep + "]]"}) {
+    write("deep.toml", "name = \"x\"\n" + line + "\n");
+    EXPECT_THAT([&] { read_toml(folder_.path() / "deep.toml"); },
+                testing::ThrowsMessage<InputError>(HasSubstr("deep.toml:2:1: a key of more than 32 parts")));
+  }
+  write("dots.toml", "# " + deep + "\nname = \"" + deep + "\"\n");
+  EXPECT_NO_THROW(read_toml(folder_.path() / "dots.toml"));
+}
+
 }  // namespace
 }  // namespace hbr

@@ -1,8 +1,10 @@
 // What every container promises, in any dimension.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 
+#include "pipeline/core/check.h"
+#include "pipeline/qd/distance_archive.h"
 #include "tests/pipeline/qd/containers.h"
 #include "tests/pipeline/qd/solutions.h"
 
@@ -111,6 +113,25 @@ TEST_P(ContainerContract, RestoredItGoesOnAsBefore) {
   EXPECT_EQ(a.solution, b.solution);
   EXPECT_EQ(a.measures, b.measures);
   EXPECT_TRUE(std::is_sorted(a.id.begin(), a.id.end()));
+}
+
+// What would not fit is refused before it is asked for.
+TEST(Containers, RefuseMoreDimensionsOrCellsThanTheyHold) {
+  const auto complaint = [](const char* container, int dimensions, int cells) {
+    try {
+      container_kind(container).make(3, dimensions, {0.1, 0.1, 15, cells, 100, 0, 1}, Seed(1));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint("distance", kMostDimensions, 10), "");
+  for (const char* container : {"distance", "local_competition"})
+    EXPECT_THAT(complaint(container, kMostDimensions + 1, 10),
+                testing::HasSubstr("descriptors of 9 dimensions"));
+  EXPECT_EQ(complaint("grid", 2, 100), "");
+  EXPECT_THAT(complaint("grid", 8, 256), testing::HasSubstr("256 cells in each of 8 dimensions"));
+  EXPECT_THAT(complaint("grid", 16, 16), testing::HasSubstr("fewer grid_cells"));
 }
 
 INSTANTIATE_TEST_SUITE_P(AllContainers, ContainerContract,

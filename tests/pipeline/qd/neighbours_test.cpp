@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "pipeline/core/random.h"
@@ -70,6 +71,24 @@ TEST(NeighbourGrid, AgreesWithBruteForceInAnyDimension) {
   grid_agrees_with_brute_force<3>();
   grid_agrees_with_brute_force<4>();
   grid_agrees_with_brute_force<6>();
+}
+
+// Cells as small as a tiny spacing asks for would fill the memory: they are larger then, and answers the
+// same.
+TEST(NeighbourGrid, HasNoMoreCellsThanFit) {
+  Rng rng(Seed(2));
+  const Rows points = random_points<4>(300, rng);
+  NeighbourGrid<4> grid(0, 1, 1e-4f);
+  for (Slot s = 0; s < 300; ++s) grid.insert(s, points.row(s).data());
+  for (Slot q = 0; q < 300; ++q) {
+    NeighbourGrid<4>::Near near[1];
+    ASSERT_EQ(grid.nearest(points.row(q).data(), 1, q, near), 1);
+    float least = std::numeric_limits<float>::infinity();
+    for (Slot s = 0; s < 300; ++s)
+      if (s != q)
+        least = std::min(least, NeighbourGrid<4>::distance2(points.row(s).data(), points.row(q).data()));
+    EXPECT_EQ(near[0].squared, least);
+  }
 }
 
 TEST(NeighbourGrid, FewerThanAskedFor) {

@@ -83,7 +83,14 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
   EXPECT_THAT(page, HasSubstr("&lt;box&gt;"));
   EXPECT_THAT(page, HasSubstr(">layer2_n10</text>"));
   EXPECT_TRUE(fs::exists(out / "report/figures/x.csv"));
-  EXPECT_FALSE(fs::exists(out / "report.new") || fs::exists(out / "report.old"));
+  // What a user keeps beside it stays, and nothing else does.
+  fs::create_directories(out / "report.old");
+  write_file(out / "report.old/mine.txt", "x");
+  write_file(out / "report/more.txt", "x");
+  publish_report(out / "page", out, out / "report");
+  EXPECT_TRUE(fs::exists(out / "report.old/mine.txt"));
+  for (const auto& entry : fs::directory_iterator(out))
+    EXPECT_FALSE(entry.path().filename().string().starts_with(".tmp")) << entry.path();
 }
 
 TEST(Provenance, RefusesAPageWithoutAPlace) {

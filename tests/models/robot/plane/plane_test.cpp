@@ -88,6 +88,17 @@ TEST(RobotOnPlane, RefusesWhatDoesNotMoveTheTip) {
   EXPECT_THROW(RobotOnPlane("two", body, "hand", kPlane), InputError);
 }
 
+TEST(RobotOnPlane, RefusesAJointThatCanOnlyStand) {
+  EXPECT_NO_THROW(
+      RobotOnPlane("two", chain({Turn{}, Turn{.lower = -1, .upper = 1}}, "0 0 1"), "tip", kPlane));
+  EXPECT_THAT(
+      [] {
+        RobotOnPlane("two", chain({Turn{}, Turn{.lower = .5, .upper = .5}}, "0 0 1"), "tip", kPlane);
+      },
+      testing::ThrowsMessage<InputError>(
+          testing::HasSubstr("can only stand at 0.5: its <limit> is missing")));
+}
+
 // A plane that is level with the two links can't be had (it stands upright), so what can be covered is a
 // line.
 TEST(RefinePlane, ComesNearerToTheReach) {
