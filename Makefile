@@ -58,7 +58,7 @@ SEED ?= 1
 $(foreach name,$(given),$(eval export GIVEN_$(name) = $$($(name))))
 export MNIST_DIR
 
-targets := help deps build data all test bench test-cluster sanitize fuzz mutate coverage format check-format status audit graph reference \
+targets := help deps build data all keys test bench test-cluster sanitize fuzz mutate coverage format check-format status audit graph reference \
   figures verify export compare robot install check-targets check-odr check-releases check-bytes clean distclean
 # Every other goal is a stage, or a family of stages.
 stages := $(filter-out $(targets),$(MAKECMDGOALS))
@@ -95,6 +95,7 @@ help:
 	@echo '  make all             the whole experiment; its report is OUT/report/index.html'
 	@echo '  make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
 	@echo '  make readings        combinations of readings against the paper (PROFILE=readings): OUT/readings.json'
+	@echo '  make keys            every key of the profile: its value, what may be said, what it means'
 	@echo '  make status          what is fresh, stale or missing, and why'
 	@echo '  make audit           read every artifact again and compare it with its manifest'
 	@echo '  make graph           OUT/graph.svg: the stages and what they hand on'
@@ -215,6 +216,9 @@ experiment: build
   case $$missing in *"/$(three)/"*) \
     $(if $(dry),echo '# three.js is fetched first',DEPS="$$GIVEN_DEPS" pipeline/fetch_three.sh $(three) || true);; esac; \
 	  exec $(programs)/hbr $(if $(dry),plan,make --group "$$GIVEN_GROUP" --make '$(MAKE)' --parent $(shell echo $$PPID)) $(arguments) $(goals)
+
+keys: build
+	@$(programs)/hbr keys "$$GIVEN_PROFILE"
 
 status audit: build
 	@$(programs)/hbr $@ $(arguments)

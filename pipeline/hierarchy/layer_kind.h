@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "pipeline/core/settings.h"
+#include "pipeline/core/settings_list.h"
 #include "pipeline/hierarchy/layer_model.h"
 
 namespace hbr::inline hierarchy {
@@ -19,7 +20,8 @@ struct LayerKind {
   bool learned;  // asks for a learned descriptor in order to be evolved
   // Reads a layer's own settings strictly; canonical.
   nlohmann::json (*checked)(const SettingsSource& settings);
-  std::vector<std::string> (*keys)();  // of the settings
+  std::vector<std::string> (*keys)();       // of the settings
+  std::vector<SettingsKey> (*described)();  // the same for people
   bool built_on_others() const { return *asks != 0; }
   bool stands_on(const LayerKind& below) const { return std::string_view(asks) == below.answers; }
   // From settings that were checked; `where` leads the errors.
@@ -43,6 +45,7 @@ constexpr LayerKind layer_kind(const char* name, const char* meaning, const char
         for (const auto& [key, value] : settings.items()) keys.push_back(key);
         return keys;
       },
+      settings_keys<Settings>,
       [](const nlohmann::json& settings, const std::string& where, const Surroundings& around) {
         return kMake(settings_from_json<Settings>(settings, where), around);
       }};

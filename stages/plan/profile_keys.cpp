@@ -1,0 +1,59 @@
+#include "stages/plan/profile_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "pipeline/core/settings_list.h"
+#include "pipeline/hierarchy/layers.h"
+#include "stages/layers/search_settings.h"
+#include "stages/plan/profile.h"
+
+namespace hbr::inline stages {
+namespace {
+
+using nlohmann::json;
+
+// "autoencoder.epochs" of the profile's values; "" of a list of tables, and of what it does not say.
+std::string value_of(const json& values, const std::string& name) {
+  const json* at = &values;
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('.', begin), name.size());
+    const auto found = at->is_object() ? at->find(name.substr(begin, end - begin)) : at->end();
+    if (found == at->end()) return "";
+    at = &*found;
+    begin = end + 1;
+  }
+  return at->is_structured() && !at->is_array() ? "" : at->dump();
+}
+
+std::string line_of(const SettingsKey& key, const std::string& value) {
+  return fmt::format("{} = {}\n    {}: {}\n", key.name, value.empty() ? "..." : value, key.expected,
+                     key.meaning);
+}
+
+}  // namespace
+
+std::string profile_keys(const SettingsSource& profile) {
+  std::string text;
+  for (const SettingsKey& key : settings_keys<Profile>())
+    text += line_of(key, value_of(profile.values, key.name));
+  const json defaults = profile.values.value("defaults", json::object());
+  const auto search = settings_keys<SearchTable>();
+  text +=
+      "\n[layers.NAME], [defaults.KIND] or [defaults], of every kind\n"
+      "kind = ...\n    text: one of those below\nbelow = ...\n    text: the layer that it is built on\n";
+  for (const SettingsKey& key : search) text += line_of(key, value_of(defaults, key.name));
+  for (const LayerKind& kind : layer_kinds()) {
+    text += fmt::format("\n[layers.NAME] with kind = \"{}\": {}\n", kind.name, kind.meaning);
+    const json own = defaults.value(kind.name, json::object());
+    for (const SettingsKey& key : kind.described()) {
+      const std::string value = value_of(own, key.name);
+      text += line_of(key, value.empty() ? value_of(defaults, key.name) : value);
+    }
+  }
+  return text;
+}
+
+}  // namespace hbr::inline stages
