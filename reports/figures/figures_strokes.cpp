@@ -46,12 +46,13 @@ std::string turns_in_words(const StatisticsView& statistics) {
       (flat->low > 0.5 || flat->high < 0.5) && (hbr_refused->low > 0.5 || hbr_refused->high < 0.5 ||
                                                 flat_refused->low > 0.5 || flat_refused->high < 0.5);
   std::string curvature;
-  if (const auto test = statistics.test("digit_turns.flat.curvature", "digit_turns.hbr.curvature"))
+  if (const auto test = statistics.test("digit_turns.flat.curvature", "digit_turns.hbr.curvature");
+      test && test->p)
     curvature = fmt::format(" On a way as long as the side of their box {} (p = {}).",
-                            test->p >= 0.05   ? "the two are not told apart"
+                            *test->p >= 0.05  ? "the two are not told apart"
                             : test->a12 > 0.5 ? "flat digits turn more, too"
                                               : "flat digits turn less",
-                            format_p(test->p));
+                            format_p(*test->p));
   return fmt::format(
       "<p>Flat digits {} those of the hierarchy (A<sub>12</sub> {}). Refused digits of the hierarchy {} its "
       "good "
