@@ -37,7 +37,9 @@ TEST(ProfileKeys, AreAllThatThePaperSays) {
     EXPECT_THAT(text,
                 HasSubstr("\n[layers.NAME] with kind = \"" + std::string(kind.name) + "\": " + kind.meaning));
   for (const auto& [key, value] : paper.values["defaults"].items())
-    if (!value.is_object()) EXPECT_THAT(text, HasSubstr("\n" + key + " = " + value.dump() + "\n    ")) << key;
+    if (!value.is_object()) {
+      EXPECT_THAT(text, HasSubstr("\n" + key + " = " + value.dump() + "\n    ")) << key;
+    }
   for (const auto& [key, value] : paper.values["defaults"]["pencil"].items())
     EXPECT_THAT(text, HasSubstr("\npencil." + key + " = " + value.dump() + "\n    ")) << key;
   EXPECT_THAT(text, HasSubstr("\nautoencoder.output = \"sigmoid\"\n    sigmoid | linear: "));

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hbr {
@@ -50,30 +51,33 @@ TEST(FactorialAnalysis, OfOneFactorIsTheTextbooks) {
 
 // A response that does not hang on a factor is the same run made twice: that makes no evidence.
 TEST(FactorialAnalysis, CountsCopiesOnce) {
-  const std::vector<Levels> three{{0}, {0}, {1}, {1}, {2}, {2}};
-  const std::vector<double> y{1, 2, 4, 5, 6, 9};
-  const FactorialAnalysis alone = analyse_factorial({3}, three, y);
-  std::vector<Levels> runs;
-  std::vector<double> responses;
-  for (std::size_t r = 0; r < three.size(); ++r)
-    for (int idle = 0; idle < 4; ++idle) {
-      runs.push_back({idle / 2, three[r][0], idle % 2});
-      responses.push_back(y[r]);
-    }
-  const FactorialAnalysis copied = analyse_factorial({2, 3, 2}, runs, responses);
-  EXPECT_EQ(alone.runs, 6);
-  EXPECT_EQ(copied.runs, 6);
-  ASSERT_EQ(copied.terms.size(), 6u);  // three factors and their pairs
-  EXPECT_EQ(copied.terms[1].factors, std::vector<int>{1});
-  EXPECT_DOUBLE_EQ(copied.terms[1].share, alone.terms[0].share);
-  EXPECT_DOUBLE_EQ(copied.terms[1].p.value(), alone.terms[0].p.value());
-  EXPECT_EQ(copied.effects[1], alone.effects[0]);
-  EXPECT_EQ(copied.unexplained, alone.unexplained);
-  for (const std::size_t idle : {0u, 2u, 3u, 4u, 5u}) {
-    EXPECT_EQ(copied.terms[idle].share, 0) << idle;
-    EXPECT_FALSE(copied.terms[idle].p) << idle;
+  const std::vector<int> three(3, 2), five(5, 2);
+  const auto response = [](int a, int b, int c) { return 1.0 + a + 0.5 * b + 0.25 * c + 0.125 * a * b * c; };
+  std::vector<double> once, copied;
+  for (const Levels& run : factorial_design(three, 0)) once.push_back(response(run[0], run[1], run[2]));
+  for (const Levels& run : factorial_design(five, 0)) copied.push_back(response(run[1], run[2], run[4]));
+  const FactorialAnalysis alone = analyse_factorial(three, factorial_design(three, 0), once),
+                          among = analyse_factorial(five, factorial_design(five, 0), copied);
+  EXPECT_EQ(alone.runs, 8);
+  EXPECT_EQ(among.runs, 8);
+  EXPECT_DOUBLE_EQ(among.unexplained, alone.unexplained);
+  ASSERT_EQ(among.terms.size(), 15u);
+  const std::vector<int> place{1, 2, 4};
+  for (const Term& term : alone.terms) {
+    std::vector<int> factors;
+    for (const int f : term.factors) factors.push_back(place[static_cast<std::size_t>(f)]);
+    const auto same = std::ranges::find(among.terms, factors, &Term::factors);
+    ASSERT_NE(same, among.terms.end());
+    EXPECT_DOUBLE_EQ(same->share, term.share);
+    EXPECT_DOUBLE_EQ(same->p.value(), term.p.value());
   }
-  EXPECT_EQ(copied.effects[0], (std::vector<double>{0, 0}));
+  for (const Term& term : among.terms)
+    if (std::ranges::any_of(term.factors, [](int f) { return f == 0 || f == 3; })) {
+      EXPECT_EQ(term.share, 0);
+      EXPECT_FALSE(term.p);
+    }
+  EXPECT_EQ(among.effects[4], alone.effects[2]);
+  EXPECT_EQ(among.effects[0], (std::vector<double>{0, 0}));
 }
 
 // Two factors that matter beside one that does not: their pair keeps its place.

@@ -152,11 +152,12 @@ TEST(Claims, EachCheckSaysWhatIsComparedAndNoPOfTwo) {
   const auto file = claim_file(folder, check("ratio", "accuracy.n1", "accuracy.n10", "[2]", "[1]", "0.05"));
   const json two = evaluate_one(file, accuracies(2))["checks"][0],
              three = evaluate_one(file, accuracies(3))["checks"][0];
-  EXPECT_EQ(two["ours"], "2.41 times (10.2\u202fm² against 4.25\u202fm²), n = 2");
+  EXPECT_EQ(two["ours"], "2.41 times (10.2\u202fm² against 4.25\u202fm²), n = 2 (about 6 might tell)");
   EXPECT_FALSE(two.contains("p"));
-  EXPECT_EQ(
-      three["ours"],
-      "2.38 times [2.14; 2.67] (10.3\u202fm² against 4.33\u202fm², p = 0.10, the least for so few), n = 3");
+  EXPECT_EQ(three["ours"],
+            "2.38 times [2.14; 2.67] (10.3\u202fm² against 4.33\u202fm², p = 0.10, the least for so few), n "
+            "= 3 (about 6 might "
+            "tell)");
   EXPECT_NEAR(three["p"].get<double>(), 2 / 20.0, 1e-12);
   EXPECT_EQ(three["asked"], "at least 2 times and p < 0.05");
 }

@@ -55,24 +55,26 @@ class WorstDigits : public testing::Test {
 
 TEST_F(WorstDigits, AreOrderedOverReplicationsAndToldWhatMostPlacesLack) {
   Tables tables;
-  const std::string html = worst_digits({transfer(0, {0.02f, 0.01f, 0.05f}, {3, 0}, {2, 0}),
-                                         transfer(1, {0.04f, 0.01f, 0.06f}, {1, 2}, {5, 0})},
+  const std::string html = worst_digits({transfer(0, {0.015625f, 0.0078125f, 0.046875f}, {3, 0}, {2, 0}),
+                                         transfer(1, {0.03125f, 0.0078125f, 0.0625f}, {1, 2}, {5, 0})},
                                         {}, tables);
   EXPECT_EQ(tables["worst"].csv(),
-            "form,replication,digit,absolute,cause\r\n"
-            "as evolved,1,30,0.0599999987,limit\r\nas evolved,0,30,0.0500000007,gap\r\n"
-            "as evolved,1,10,0.0399999991,gap\r\nas evolved,0,10,0.0199999996,offsets\r\n"
-            "completed,1,30,0.0599999987,limit\r\ncompleted,0,30,0.0500000007,gap\r\n"
-            "completed,1,10,0.0399999991,gap\r\ncompleted,0,10,0.0199999996,offsets\r\n");
+            "form,replication,digit,absolute,cause\n"
+            "as evolved,1,30,0.0625,limit\nas evolved,0,30,0.046875,gap\n"
+            "as evolved,1,10,0.03125,gap\nas evolved,0,10,0.015625,offsets\n"
+            "completed,1,30,0.0625,limit\ncompleted,0,30,0.046875,gap\n"
+            "completed,1,10,0.03125,gap\ncompleted,0,10,0.015625,offsets\n");
   EXPECT_THAT(html, HasSubstr("of 40 places 1 in a gap of layer 1, 0 behind a collision, 5 beyond a joint"));
   EXPECT_THAT(html, HasSubstr("each of 50 places has an elite within l; offsets add up to 4"));
 }
 
 TEST_F(WorstDigits, OfReplaysAreThePosturesTheLimitsOrTheServos) {
   Tables tables;
-  worst_digits({}, {replay(0, {0.04f, 0.05f, 0.06f}, {0.03f, 0.01f, 0.01f}, {1, 1, 0})}, tables);
-  EXPECT_THAT(tables["worst"].csv(), HasSubstr("replayed,0,30,0.0599999987,servos\r\nreplayed,0,20,"));
-  EXPECT_THAT(tables["worst"].csv(), HasSubstr(",limit\r\nreplayed,0,10,0.0399999991,posture"));
+  worst_digits({},
+               {replay(0, {0.03125f, 0.046875f, 0.0625f}, {0.0234375f, 0.0078125f, 0.0078125f}, {1, 1, 0})},
+               tables);
+  EXPECT_THAT(tables["worst"].csv(), HasSubstr("replayed,0,30,0.0625,servos\nreplayed,0,20,"));
+  EXPECT_THAT(tables["worst"].csv(), HasSubstr(",limit\nreplayed,0,10,0.03125,posture"));
 }
 
 TEST_F(WorstDigits, NothingIsShownOfRunsThatDidNotAsk) {
@@ -83,7 +85,7 @@ TEST_F(WorstDigits, NothingIsShownOfRunsThatDidNotAsk) {
 
 TEST_F(WorstDigits, CountsFitTheDigits) {
   Tables tables;
-  const auto path = transfer(0, {0.02f, 0.01f, 0.05f}, {3}, {2, 0});
+  const auto path = transfer(0, {0.015625f, 0.0078125f, 0.046875f}, {3}, {2, 0});
   EXPECT_THAT([&] { worst_digits({path}, {}, tables); },
               testing::ThrowsMessage<InputError>(HasSubstr("worst/gap has 1 values; expected 2")));
 }

@@ -31,7 +31,7 @@ TEST(KeptTables, HoldTheKeptRunsFigures) {
             "| lines | 50 of 1\u202f400 | – | 1 |\n"
             "| not measured | – | – |  |\n"
             "| one run's | 31\u202fs | 0.20\u202fGB |  |\n"
-            "| verdicts | 1 / 0 / 0 of 2 | – |  |\n");
+            "| verdicts | 1 / 0 / 0 / 0 of 2 | – |  |\n");
   EXPECT_THAT(as_markdown(kTable, {{"paper", old}}), HasSubstr("| one run's | – | – |  |"));
 }
 
