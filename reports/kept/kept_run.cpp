@@ -10,6 +10,7 @@
 #include "pipeline/artifact/json_file.h"
 #include "pipeline/core/check.h"
 #include "pipeline/statistics/statistics_file.h"
+#include "reports/claims/claims.h"
 #include "reports/kept/lineage.h"
 
 namespace hbr::inline reports {
@@ -209,6 +210,10 @@ KeptRun read_run(const fs::path& out) {
   run.profile = run.statistics.at("").at("profile");
   run.costs = stage_costs(manifests);
   return run;
+}
+
+json claims_anew(const KeptRun& run, const fs::path& rules) {
+  return kept_of(evaluate_claims(rules, run.statistics.at("")));
 }
 
 void write_kept(const KeptRun& run, const fs::path& folder) {

@@ -31,6 +31,10 @@ struct KeptRun {
 // was made from has changed since.
 KeptRun read_run(const std::filesystem::path& out);
 
+// Its claims by the rules of a file (reports/claims.toml), which may have changed since it was kept; as they
+// are kept.
+nlohmann::json claims_anew(const KeptRun& run, const std::filesystem::path& rules);
+
 // origin.json (profile, toolchain, versions), statistics.json and VARIATION.statistics.json, claims.json,
 // artifacts.csv, costs.csv: texts of one line an entry, so that two can be compared by eye. What stood in the
 // folder is replaced.

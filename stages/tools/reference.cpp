@@ -1,5 +1,6 @@
 // reference keep OUT FOLDER: what a finished run found, small enough for the repository, as FOLDER/PROFILE.
 // reference verify OUT FOLDER: the run compared with it; exit code 2 where they differ.
+// reference claims TOML FOLDER: the verdicts of what is kept in FOLDER by the rules as they are now.
 // reference tables TOML FOLDER: the READMEs' tables filled from what is kept in FOLDER.
 // No stage: it tells of runs, and makes no artifact.
 #include <fmt/format.h>
@@ -31,6 +32,17 @@ int verify(const hbr::KeptRun& run, const fs::path& folder) {
   return found.differences.empty() ? 0 : 2;
 }
 
+int judge_anew(const fs::path& rules, const fs::path& references) {
+  for (auto& [name, run] : hbr::read_all_kept(references)) {
+    nlohmann::json claims = hbr::claims_anew(run, rules);
+    if (claims == run.claims) continue;
+    run.claims = std::move(claims);
+    hbr::write_kept(run, references / name);
+    fmt::print("{}: verdicts by other rules\n", (references / name).string());
+  }
+  return 0;
+}
+
 int fill_tables(const fs::path& tables, const fs::path& references) {
   const std::map<std::string, hbr::KeptRun> kept = hbr::read_all_kept(references);
   for (const hbr::KeptTable& table : hbr::read_kept_tables(tables)) {
@@ -48,10 +60,11 @@ int fill_tables(const fs::path& tables, const fs::path& references) {
 int main(int argc, char** argv) {
   return hbr::guarded_main("reference", [&] {
     const std::string_view task = argc == 4 ? argv[1] : "";
+    if (task == "claims") return judge_anew(argv[2], argv[3]);
     if (task == "tables") return fill_tables(argv[2], argv[3]);
     if (task != "keep" && task != "verify")
       throw hbr::InputError(
-          "expected a task and two folders: reference keep|verify OUT FOLDER, or reference tables TOML "
+          "expected a task and two paths: reference keep|verify OUT FOLDER, or reference claims|tables TOML "
           "FOLDER");
     const hbr::KeptRun run = hbr::read_run(argv[2]);
     if (run.profile.empty() || run.profile.starts_with('.') || run.profile.find('/') != std::string::npos)

@@ -69,6 +69,13 @@ class KeptRuns : public testing::Test {
   TemporaryFolder folder_;
 };
 
+// A rule that changes changes the kept verdicts: `make figures` writes them.
+TEST(KeptReferences, HaveTheVerdictsOfTheRules) {
+  const std::string reports = std::string(HBR_SOURCE_DIR) + "/reports";
+  for (const auto& [name, run] : read_all_kept(reports + "/reference"))
+    EXPECT_EQ(run.claims, claims_anew(run, reports + "/claims.toml")) << name << ": make figures";
+}
+
 TEST_F(KeptRuns, ComeBackAsTheyWere) {
   const KeptRun run = read_run(out());
   EXPECT_EQ(run.profile, "p");
