@@ -207,7 +207,9 @@ std::optional<Meaning> meaning_of(const std::string& name) {
                     "autoencoder: share of the test images of class {} whose nearest neighbour in the latent "
                     "space is of another class"},
           std::pair{"taken_for", "autoencoder: the other class that most neighbours of class {} are of"}})
-      if (parts[1] == measure) return Meaning{"", fmt::format(fmt::runtime(text), parts[2])};
+      if (parts[1] == measure)
+        return Meaning{measure == std::string_view("taken_for") ? "class" : "",
+                       fmt::format(fmt::runtime(text), parts[2])};
   return {};
 }
 

@@ -19,10 +19,11 @@ struct Verification {
 //
 // Otherwise within intervals: what is counted by the settings (evaluations, generations, genes, ...) must be
 // equal; of every other quantity the two samples must pass the rank-sum test at 1 % shared among all that are
-// tested so (Bonferroni), or, where so few replications can't fail it, the run's median must lie within 1.5
-// interquartile ranges of the reference's quartiles (Tukey's fences); numbers that were measured once must be
-// within 10 %, those that are shares within 0.02 (2 points). Verdicts follow from these: another one is a
-// note.
+// tested so (Bonferroni), or, where so few replications can't fail it, Student's t-test at the same level.
+// Two replications tell nothing: how many quantities and numbers have no more is a note. What class a number
+// names is not compared. Numbers with an interval must have intervals that overlap; others that were measured
+// once must be within 10 %, those that are shares within 0.02 (2 points). Verdicts follow from these: another
+// one is a note.
 //
 // A quantity that only one of them has is a note where the other has none of its kind (the digits of a run
 // without digits), a difference where a single one is missing from the run.
