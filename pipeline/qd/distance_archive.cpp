@@ -100,8 +100,7 @@ std::unique_ptr<Repertoire> make(int genes, int size, const DistanceArchiveSetti
   if constexpr (D > kMostDimensions) {
     throw InputError(
         "descriptors of {} dimensions; this container has at most {}: take the container cvt, or describe "
-        "solutions "
-        "by less",
+        "solutions by less",
         size, kMostDimensions);
   } else {
     if (size == D) return std::make_unique<DistanceArchive<D>>(genes, s);

@@ -14,8 +14,7 @@ std::size_t GridCells::size() const {
     if ((total *= static_cast<std::size_t>(cells)) > kMost)
       throw InputError(
           "a grid of {} cells in each of {} dimensions; expected at most {} cells in all: fewer grid_cells, "
-          "or the "
-          "container cvt, which has as many as are asked for",
+          "or the container cvt, which has as many as are asked for",
           cells, descriptor_size, kMost);
   return total;
 }

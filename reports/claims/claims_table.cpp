@@ -78,23 +78,20 @@ std::string claims_table(const json& claims) {
           "Each claim, and below it what is compared. In the charts the dark bar is what counts as "
           "reproduced, the pale one what counts in part (where a test is asked for, if that alone tells a "
           "difference, p &lt; 0.05; else the check is undecided), the dot this run. p: two-sided rank-sum "
-          "test "
-          "over the replications (exact for up to " +
+          "test over the replications (exact for up to " +
               std::to_string(kSmall) +
               " values without ties, else the normal approximation, corrected for ties and continuity, as in "
               "the paper), adjusted for all the tests here that decide (Holm 1979); none is given for fewer "
               "than " +
               std::to_string(kFewestToTest) +
               " replications. In brackets: of what is computed from two quantities the 95 % confidence "
-              "interval, by "
-              "bootstrap; of one quantity the quartiles over the replications.",
+              "interval, by bootstrap; of one quantity the quartiles over the replications.",
           results);
   if (!ours.empty())
     html += "<details id=\"ours\"><summary>What we ask besides</summary>\n" +
             table(
                 "Other readings of the paper's sentences, and questions that it does not ask: decided by the "
-                "same "
-                "rules, but not counted among its claims.",
+                "same rules, but not counted among its claims.",
                 ours) +
             "</details>\n";
   if (!design.empty())

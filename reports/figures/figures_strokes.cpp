@@ -55,14 +55,12 @@ std::string turns_in_words(const StatisticsView& statistics) {
                             format_p(*test->p));
   return fmt::format(
       "<p>Flat digits {} those of the hierarchy (A<sub>12</sub> {}). Refused digits of the hierarchy {} its "
-      "good "
-      "ones ({}), refused flat digits {} good flat ones ({}).{} {}</p>\n",
+      "good ones ({}), refused flat digits {} good flat ones ({}).{} {}</p>\n",
       by_sign(*flat, 0.5, more, less, alike), in_words(*flat), by_sign(*hbr_refused, 0.5, more, less, alike),
       in_words(*hbr_refused), by_sign(*flat_refused, 0.5, more, less, alike), in_words(*flat_refused),
       curvature,
       told ? "So how sharply a digit turns goes with who drew it and with what the judge says of it; an "
-             "A<sub>12</sub> "
-             "near 0.5 means that most of the verdict depends on something else."
+             "A<sub>12</sub> near 0.5 means that most of the verdict depends on something else."
            : "So in this run the angles do not tell good digits from refused ones.");
 }
 
@@ -107,13 +105,10 @@ Figure turns_figure(const Evidence& evidence) {
   figure.caption =
       "By how much strokes turn from one segment to the next, without the sense. a: all digits of all "
       "replications, each by its mean turn, those that the judge calls good and those that it does not. b: "
-      "the "
-      "mean of all turns; of the hierarchy within its arcs and where one arc ends and the next begins. c: "
-      "what a "
-      "digit turns on a way as long as the greater side of its box. b and c: one value per replication. A "
-      "segment "
-      "is a line of layer 2, or the way between two configurations. A<sub>12</sub>: the chance that a value "
-      "of "
+      "the mean of all turns; of the hierarchy within its arcs and where one arc ends and the next begins. "
+      "c: what a digit turns on a way as long as the greater side of its box. b and c: one value per "
+      "replication. A segment is a line of layer 2, or the way between two configurations. A<sub>12</sub>: "
+      "the chance that a value of "
       "the first kind is greater than one of the second. Brackets: 95 % intervals by bootstrap over the "
       "replications.";
   figure.panels = pooled_box_panel(evidence.statistics,
@@ -145,12 +140,10 @@ Figure confusion_figure(const Evidence& evidence) {
   Figure figure{.id = "confusion", .title = "Rare classes, confused classes"};
   figure.caption =
       "For each class: its share of the digits that the judge calls good, with the hierarchy and without; of "
-      "its "
-      "test images those whose nearest neighbour in the latent space is of another class; and of its "
-      "training "
-      "images those that the cut removed. Medians over the replications. The correlations are over the ten "
-      "classes, "
-      "each by its mean over the replications; their 95 % intervals by bootstrap over the classes.";
+      "its test images those whose nearest neighbour in the latent space is of another class; and of its "
+      "training images those that the cut removed. Medians over the replications. The correlations are over "
+      "the ten classes, each by its mean over the replications; their 95 % intervals by bootstrap over the "
+      "classes.";
   const StatisticsView& statistics = evidence.statistics;
   const auto good_of = [](const char* who) {
     return [who](int c) { return fmt::format("digit_verdicts.{}.good_of_class.{}", who, c); };

@@ -82,8 +82,7 @@ std::string scaling_html(const std::map<std::string, Manifest>& manifests) {
   }
   return html_table(
              "This run on more processors, by a model: each takes the next stage that can begin, and works "
-             "on it "
-             "alone for as long as that stage’s processor time",
+             "on it alone for as long as that stage’s processor time",
              {"Processors", "Time", "At work"}, rows) +
          fmt::format(
              "<p>No number of processors is faster than {}, the longest chain of stages that wait for each "

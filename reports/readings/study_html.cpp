@@ -74,8 +74,7 @@ class StudyTables {
     }
     return "<p>How a figure is multiplied by each value of a reading, and the share of the variance over the "
            "different runs that the reading explains (combinations that differ in what a figure does not "
-           "hang on "
-           "are one run); bold where that is 5 % or more and, where it can be "
+           "hang on are one run); bold where that is 5 % or more and, where it can be "
            "tested, p &lt; 0.05.</p>\n" +
            html_table("What each reading does to the paper’s figures", head, rows);
   }

@@ -183,8 +183,7 @@ JointPath movement_along(const std::vector<double>& joints, const std::vector<fl
   if (times.back() > longest)
     throw InputError(
         "dynamics: a digit takes {:.3g} s at pace = {} and joint_pace = {}, more than {:.0e} steps of {} s; "
-        "expected "
-        "a greater pace, step or smoothing",
+        "expected a greater pace, step or smoothing",
         times.back(), table.pace, table.joint_pace, kMostSteps, std::min(table.step, table.smoothing));
   JointPath movement(joints, times, table.smoothing);
   if (!table.within_limits) return movement;

@@ -65,7 +65,8 @@ TEST(Profiles, WayPointsOfAnOpenLoop) {
   std::set<std::string> made;
   for (const Node& node : experiment_graph(kProfiles / "drawing.toml"))
     if (node.variation == "open_loop" && node.settings.contains("layer")) made.insert(node.stage);
-  for (const char* stage : {"layer3_b", "layer4", "nao_tuned_all"}) EXPECT_TRUE(made.contains(stage)) << stage;
+  for (const char* stage : {"layer3_b", "layer4", "nao_tuned_all"})
+    EXPECT_TRUE(made.contains(stage)) << stage;
   for (const char* stage : {"layer1", "layer2_n10", "nao_layer1", "flat_digits"})
     EXPECT_FALSE(made.contains(stage)) << stage;
 }

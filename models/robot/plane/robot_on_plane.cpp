@@ -23,8 +23,7 @@ RobotOnPlane::RobotOnPlane(std::string name, std::shared_ptr<const Body> body, c
     if (!(body_->lower()[i] < body_->upper()[i]))
       throw InputError(
           "robot '{}': joint '{}' can only stand at {:g}: its <limit> is missing or leaves no range; give it "
-          "one, or "
-          "leave it out of its joints",
+          "one, or leave it out of its joints",
           name_, body_->moving()[i], body_->lower()[i]);
 }
 

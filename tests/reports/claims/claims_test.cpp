@@ -156,8 +156,7 @@ TEST(Claims, EachCheckSaysWhatIsComparedAndNoPOfTwo) {
   EXPECT_FALSE(two.contains("p"));
   EXPECT_EQ(three["ours"],
             "2.38 times [2.14; 2.67] (10.3\u202fm² against 4.33\u202fm², p = 0.10, the least for so few), n "
-            "= 3 (about 6 might "
-            "tell)");
+            "= 3 (about 6 might tell)");
   EXPECT_NEAR(three["p"].get<double>(), 2 / 20.0, 1e-12);
   EXPECT_EQ(three["asked"], "at least 2 times and p < 0.05");
 }

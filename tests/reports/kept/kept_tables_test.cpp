@@ -65,8 +65,7 @@ TEST(KeptTables, AreReadStrictly) {
   const auto file = folder.path() / "t.toml";
   const std::string good =
       "[[tables]]\nname = 't'\nfile = 'f'\nhead = ['a', 'b']\nruns = []\nrows = [{what = 'w', runs = [], "
-      "cells = "
-      "[], last = 'l'}]\n";
+      "cells = [], last = 'l'}]\n";
   write_file(file, good);
   EXPECT_EQ(read_kept_tables(file).at(0).rows.at(0).last, "l");
   for (const std::string& wrong :
