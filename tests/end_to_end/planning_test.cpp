@@ -2,6 +2,7 @@
 #include <elf.h>
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <cstring>
 
 #include "pipeline/artifact/content.h"
@@ -85,6 +86,23 @@ TEST(Runner, AFinishedExperimentIsPlannedWithoutReadingItsArtifactsOrPrograms) {
   shell("find " + folder.out().string() + " -name base.h5 -exec touch {} +");  // now it has to be read
   EXPECT_GE(bytes_to_plan(folder, plan) - program_hashed,
             static_cast<std::int64_t>(artifact) - kSanitizersNoise);
+}
+
+// What goes into manifests, whose texts are UTF-8, is looked at before anything is made.
+TEST(Runner, TextsThatAreNoUtf8AreRefusedInOneLine) {
+  const FakeFolder folder("latin");
+  ::setenv("HBR_LAUNCH", "srun --comment=\xe9", 1);
+  const ShellResult launched = folder.make();
+  ::unsetenv("HBR_LAUNCH");
+  EXPECT_EQ(launched.code, 2);
+  EXPECT_THAT(launched.text, HasSubstr("LAUNCH is 'srun --comment=\uFFFD', which is not UTF-8"));
+  EXPECT_EQ(std::count(launched.text.begin(), launched.text.end(), '\n'), 1);
+  const fs::path latin = folder.path / "jos\xe9";
+  const ShellResult outside = shell(folder.command_at(latin, "status"));
+  EXPECT_EQ(outside.code, 2);
+  EXPECT_THAT(outside.text, HasSubstr("jos\uFFFD', which is not UTF-8"));
+  EXPECT_FALSE(fs::exists(latin));
+  EXPECT_EQ(folder.make().code, 0);
 }
 
 TEST(ProgramHash, LeavesOutDebugInformationOnly) {

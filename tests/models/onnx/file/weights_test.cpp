@@ -82,6 +82,7 @@ TEST_F(OnnxWeights, BesideTheFileAreRead) {
               AllOf(HasSubstr("its weights 'in.weight' are in another file, which is missing"),
                     HasSubstr((folder_.path() / "below/weights.bin").string())));
   EXPECT_TRUE(weight_files(folder_.path() / "none.onnx").empty());
+  EXPECT_TRUE(weight_files(folder_.path()).empty());  // a folder: whoever reads it as a network says so
 }
 
 TEST_F(OnnxWeights, BesideTheFileMayLeaveOffsetAndLengthOut) {
