@@ -14,7 +14,7 @@ void SettingsLister::choice(const char* key, std::string&, const std::vector<con
 
 std::string SettingsLister::in_words(Range range, bool whole) {
   const char* kind = whole ? "whole, " : "";
-  return std::isinf(range.low) ? "any number" : fmt::format("{}{:g} to {:g}", kind, range.low, range.high);
+  return std::isinf(range.low) ? "any number" : fmt::format("{}{} to {}", kind, range.low, range.high);
 }
 
 }  // namespace hbr::inline core

@@ -36,7 +36,8 @@ std::string line_of(const SettingsKey& key, const std::string& value) {
 }  // namespace
 
 std::string profile_keys(const SettingsSource& profile) {
-  std::string text;
+  std::string text =
+      "base = ...\n    text: the file of the profile that this one changes, relative to its own folder\n";
   for (const SettingsKey& key : settings_keys<Profile>())
     text += line_of(key, value_of(profile.values, key.name));
   const json defaults = profile.values.value("defaults", json::object());
