@@ -43,16 +43,19 @@ RbfClassifier fit_rbf_classifier(const Rows& features, const std::vector<std::ui
   classifier.centres.resize(bumps, features.cols());
   for (Eigen::Index i = 0; i < bumps; ++i) classifier.centres.row(i) = features.row(i * n / bumps);
 
-  // Normal equations, a block of rows at a time: the bumps of all rows would be a gigabyte.
-  Eigen::MatrixXf products = Eigen::MatrixXf::Zero(bumps, bumps);
+  // Normal equations, a block of rows at a time: the bumps of all rows would be a gigabyte. The products of a
+  // block are single, their sum is double: what a single sum over 60 000 rows loses is more than the ridge.
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(bumps, bumps);
+  Eigen::MatrixXf products(bumps, bumps);
   Eigen::MatrixXf targets = Eigen::MatrixXf::Zero(bumps, classes);
   for (std::size_t block = 0; block < blocks(n); ++block) {
     const Eigen::Index begin = block * kBlock, count = std::min(kBlock, n - begin);
     const Rows values = bump_values(features.middleRows(begin, count), classifier.centres, gamma);
+    products.setZero();
     products.selfadjointView<Eigen::Lower>().rankUpdate(values.transpose());
+    system.triangularView<Eigen::Lower>() += products.cast<double>();
     for (Eigen::Index i = 0; i < count; ++i) targets.col(labels[begin + i]) += values.row(i).transpose();
   }
-  Eigen::MatrixXd system = products.cast<double>();
   system.diagonal().array() += ridge;
   const Eigen::LLT<Eigen::MatrixXd> factor(system);
   if (factor.info() != Eigen::Success)
