@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <cmath>
 
@@ -45,6 +46,27 @@ TEST(RbfClassifier, SolvesItsRidgeProblem) {
   for (int b = 0; b < 40; ++b) system(600 + b, b) = std::sqrt(ridge);
   const Eigen::MatrixXd weights = system.householderQr().solve(target);
   EXPECT_LT((weights - fitted.weights.cast<double>()).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+// As many rows as the dataset has: the sums over them keep what the ridge is about.
+TEST(RbfClassifier, SumsManyRowsAsWellAsFew) {
+  constexpr int kRows = 60000, kBumps = 60;
+  const Cloud cloud = rings(kRows, 1);
+  const double gamma = 0.05, ridge = 0.1;
+  const RbfClassifier fitted = fit_rbf_classifier(cloud.features, cloud.labels, 3, kBumps, gamma, ridge);
+  Eigen::MatrixXd values(kRows, kBumps), target = Eigen::MatrixXd::Zero(kRows, 3);
+  for (int i = 0; i < kRows; ++i) {
+    for (int b = 0; b < kBumps; ++b)
+      values(i, b) = std::exp(
+          -gamma *
+          (cloud.features.row(i) - cloud.features.row(b * kRows / kBumps)).cast<double>().squaredNorm());
+    target(i, cloud.labels[i]) = 1;
+  }
+  Eigen::MatrixXd system = values.transpose() * values;
+  system.diagonal().array() += ridge;
+  const Eigen::MatrixXd weights = system.ldlt().solve(values.transpose() * target);
+  const Eigen::MatrixXd difference = values * (weights - fitted.weights.cast<double>());
+  EXPECT_LT(difference.cwiseAbs().maxCoeff(), 0.01);  // 0.13 where all sums are single
 }
 
 // Bumps that are all alike: what single precision loses is more than the ridge.
