@@ -84,6 +84,11 @@ class Comparison {
   void differ(const std::string& line) { result_.differences.push_back(lead_ + line); }
   void note(const std::string& line) { result_.notes.push_back(lead_ + line); }
 
+  void pass_over() {
+    ++too_few_;
+    --compared_;
+  }
+
   void quantities(const std::string& name, const Quantity& was, const Quantity& is) {
     ++compared_;
     if (was.values.size() != is.values.size()) ++sizes_[{was.values.size(), is.values.size()}];
@@ -110,10 +115,7 @@ class Comparison {
   }
 
   void same_distribution(const std::string& name, const Quantity& was, const Quantity& is) {
-    if (std::min(was.values.size(), is.values.size()) < kFewestToTest) {
-      ++too_few_;
-      return;
-    }
+    if (std::min(was.values.size(), is.values.size()) < kFewestToTest) return pass_over();
     const double level = kLevel / static_cast<double>(tested_);
     const bool by_ranks = least_p(was.values.size(), is.values.size()) < level;
     const double p = by_ranks ? rank_sum(was.list(), is.list()).p : t_test(was.list(), is.list());
@@ -139,9 +141,12 @@ class Comparison {
     return false;
   }
 
+  // Of a number's interval: the whiskers of a box are ends, too, but of no number.
   static bool is_an_end(const json& numbers, const std::string& name) {
     for (const std::string end : {"_low", "_high"})
-      if (name.ends_with(end) && ends(numbers, name.substr(0, name.size() - end.size()))) return true;
+      if (const std::string whose = name.substr(0, name.size() - std::min(name.size(), end.size()));
+          name.ends_with(end) && numbers.contains(whose) && ends(numbers, whose))
+        return true;
     return false;
   }
 
@@ -149,7 +154,7 @@ class Comparison {
     ++compared_;
     if (was == is) return;
     if (!exact_ && !is_count(name, unit)) {
-      if (few_of(kind_of(name))) return void(++too_few_);
+      if (few_of(kind_of(name))) return pass_over();
       if (is_an_end(reference_.at("numbers"), name)) return;
       const auto before = ends(reference_.at("numbers"), name), now = ends(run_.at("numbers"), name);
       if (before && now) {

@@ -121,6 +121,8 @@ TEST(Verify, AsksForWhatCanBeTold) {
   for (KeptRun* each : {&reference, &run})
     each->statistics[""]["quantities"]["transfer.nao.absolute"] = quantity("%", {2, 3});
   EXPECT_EQ(differences(), 0u);
+  // Of ten that both have not the two of transfer, nor the class.
+  EXPECT_THAT(verify(reference, run).summary, HasSubstr(" 7 quantities and numbers"));
   run.statistics[""]["quantities"]["layer3.n10.evaluations"]["values"][0] = 7;
   EXPECT_EQ(differences(), 1u);
 }
@@ -141,6 +143,13 @@ TEST(Verify, IntervalsMustOverlap) {
   EXPECT_THAT(apart[0],
               HasSubstr("was 0.5 [0.4; 0.6], is 0.68 [0.62; 0.78]; expected intervals that overlap"));
   EXPECT_EQ(verify(reference, with(kept(), 0.58, 0.68, 0.78)).differences.size(), 3u);  // bit for bit
+  // Whiskers, which are of no number, are compared themselves.
+  const auto whiskers = [](KeptRun run, double high) {
+    run.statistics[""]["numbers"]["transfer.nao.absolute_low"] = hbr::number("%", 0.1);
+    run.statistics[""]["numbers"]["transfer.nao.absolute_high"] = hbr::number("%", high);
+    return run;
+  };
+  EXPECT_EQ(verify(whiskers(kept(), 6), whiskers(elsewhere(), 9)).differences.size(), 1u);
 }
 
 TEST(Verify, CountsAreExactAndNumbersWithinReach) {
