@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "pipeline/core/check.h"
@@ -37,6 +38,10 @@ Interval bootstrap(std::span<const double> a, std::span<const double> b, const E
     draw(b, some_b);
     e = effect(some_a, some_b);
   }
+  if (std::ranges::any_of(effects, [](double e) { return std::isnan(e); })) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {kNone, kNone};
+  }
   std::ranges::sort(effects);
   const double tail = (1 - kConfidence) / 2;
   return {quantile(effects, tail), quantile(effects, 1 - tail)};
@@ -47,7 +52,9 @@ std::optional<int> replications_to_tell(double a12, double level) {
   const boost::math::normal standard;
   const double z = quantile(complement(standard, level / 2)) + quantile(standard, kPower);
   // Of both samples together z^2 / (12 c (1 - c) (A12 - 1/2)^2), c = 1/2 the share of one of them.
-  return static_cast<int>(std::ceil(z * z / (6 * std::pow(a12 - 0.5, 2))));
+  const double needed = std::ceil(z * z / (6 * std::pow(a12 - 0.5, 2)));
+  if (needed > kMostToTell) return {};
+  return static_cast<int>(needed);
 }
 
 }  // namespace hbr::inline statistics

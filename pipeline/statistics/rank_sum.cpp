@@ -12,8 +12,9 @@ namespace hbr::inline statistics {
 namespace {
 
 struct Ranked {
-  double rank_sum_a = 0;  // ties share their mean rank
-  double ties = 0;        // sum of t^3 - t over groups of t equal values
+  double rank_sum_a = 0;             // ties share their mean rank
+  double ties = 0;                   // sum of t^3 - t over groups of t equal values
+  std::vector<std::size_t> doubled;  // rank times two of each value in order: whole with ties, too
 };
 
 Ranked rank(std::span<const double> a, std::span<const double> b) {
@@ -31,6 +32,7 @@ Ranked rank(std::span<const double> a, std::span<const double> b) {
     const auto t = static_cast<double>(end - begin);
     result.rank_sum_a += from_a * 0.5 * static_cast<double>(begin + 1 + end);
     result.ties += t * t * t - t;
+    result.doubled.insert(result.doubled.end(), end - begin, begin + 1 + end);
   }
   return result;
 }
@@ -68,6 +70,25 @@ double exact_p(double u, std::size_t n_a, std::size_t n_b) {
   return std::min(1.0, 2 * tail / all);
 }
 
+// With ties: of all ways to choose which n_a of the values are a's, the share whose sum of ranks is as far
+// from its mean as this one, or farther.
+double exact_p_tied(const Ranked& ranked, std::size_t n_a) {
+  const std::size_t n = ranked.doubled.size(), greatest = n * (n + 1);
+  // [values chosen][doubled sum]
+  std::vector<std::vector<double>> ways(n_a + 1, std::vector<double>(greatest + 1));
+  ways[0][0] = 1;
+  for (const std::size_t rank : ranked.doubled)
+    for (std::size_t k = n_a; k >= 1; --k)
+      for (std::size_t sum = greatest; sum >= rank; --sum) ways[k][sum] += ways[k - 1][sum - rank];
+  const double mean = static_cast<double>(n_a * (n + 1)), distance = std::abs(2 * ranked.rank_sum_a - mean);
+  double tails = 0, all = 0;
+  for (std::size_t sum = 0; sum <= greatest; ++sum) {
+    all += ways[n_a][sum];
+    if (std::abs(static_cast<double>(sum) - mean) >= distance) tails += ways[n_a][sum];
+  }
+  return tails / all;
+}
+
 void check_sample(std::span<const double> values) {
   if (values.empty()) throw InputError("rank-sum test: a sample is empty; expected at least one value");
   for (const double value : values)
@@ -86,9 +107,10 @@ RankSum rank_sum(std::span<const double> a, std::span<const double> b) {
   result.u = ranked.rank_sum_a - n_a * (n_a + 1) / 2;
   result.a12 = result.u / (n_a * n_b);
   result.p_normal = normal_p(result.u, n_a, n_b, ranked.ties);
-  if (ranked.ties == 0 && a.size() + b.size() <= kExactLimit)
-    result.p_exact = exact_p(result.u, a.size(), b.size());
-  result.p = a.size() + b.size() <= kSmall ? result.p_exact.value_or(result.p_normal) : result.p_normal;
+  const std::size_t n = a.size() + b.size();
+  if (ranked.ties == 0 && n <= kExactLimit) result.p_exact = exact_p(result.u, a.size(), b.size());
+  if (ranked.ties > 0 && n <= kSmall) result.p_exact = exact_p_tied(ranked, a.size());
+  result.p = n <= kSmall ? *result.p_exact : result.p_normal;
   return result;
 }
 

@@ -10,13 +10,14 @@ namespace hbr::inline statistics {
 
 struct RankSum {
   double u = 0;  // pairs in which a is greater, ties counting one half; in [0, n_a n_b]
-  // The p-value that is told and that decides: the exact one where it is known and n_a + n_b <= kSmall, else
-  // the approximation.
+  // The p-value that is told and that decides: the exact one where n_a + n_b <= kSmall, else the
+  // approximation.
   double p = 1;
   // Normal approximation with the variance corrected for ties and the statistic for continuity: the test
   // whose value for 50 wholly separate from 50 is 7.066e-18. 1 where all values are equal.
   double p_normal = 1;
-  // From the exact distribution of U: where no value appears twice and n_a + n_b <= kExactLimit.
+  // From the exact distribution of U over all ways to share out the values: where n_a + n_b <= kSmall, and
+  // without ties where n_a + n_b <= kExactLimit.
   std::optional<double> p_exact;
   // P(a > b) + P(a = b) / 2: 1 where a is always greater, 0.5 where neither is.
   double a12 = 0.5;

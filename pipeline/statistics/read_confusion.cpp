@@ -45,9 +45,12 @@ void add_digits(const Artifact& artifact, Means& means) {
   for (const std::string& group : file.children("/")) {
     const auto label = file.read<std::uint8_t>(group + "/label").values,
                good = file.read<std::uint8_t>(group + "/good").values;
+    if (label.size() != good.size())
+      throw InputError("{}: {}/label has {} digits and {}/good {}; expected as many", file.path().string(),
+                       group, label.size(), group, good.size());
     const auto all = static_cast<double>(std::ranges::count_if(good, [](std::uint8_t g) { return g != 0; }));
     for (std::size_t i = 0; i < label.size() && all > 0; ++i)
-      if (good.at(i) && label[i] < kDigitClasses) means.good[group][label[i]] += 1 / all;
+      if (good[i] && label[i] < kDigitClasses) means.good[group][label[i]] += 1 / all;
   }
 }
 

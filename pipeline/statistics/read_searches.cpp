@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <optional>
+#include <limits>
 
 #include "pipeline/artifact/hdf5_file.h"
 #include "pipeline/artifact/json_file.h"
@@ -65,15 +65,17 @@ const ProgressRow& row_at(const Search& search, std::int64_t generations) {
 }
 
 // A flat baseline runs longer than the layer it is compared with: compare also where both had as many
-// generations.
+// generations, the layer's those of its longest variant.
 void compare_at_equal_generations(const std::vector<const Search*>& family, StatisticsTable& table) {
-  std::optional<std::int64_t> shortest;
+  std::map<std::string, std::int64_t> longest;  // by head
   for (const Search* search : family) {
-    const std::int64_t last = search->progress.back().generation;
-    shortest = std::min(shortest.value_or(last), last);
+    std::int64_t& last = longest[search->name.head];
+    last = std::max(last, search->progress.back().generation);
   }
+  std::int64_t equal = std::numeric_limits<std::int64_t>::max();
+  for (const auto& [head, last] : longest) equal = std::min(equal, last);
   for (const Search* search : family) {
-    const ProgressRow& row = row_at(*search, *shortest);
+    const ProgressRow& row = row_at(*search, equal);
     const std::string prefix = search->name.prefix();
     const int replication = search->name.replication;
     table.add(prefix + ".equal_size", replication, static_cast<double>(row.size));

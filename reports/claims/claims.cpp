@@ -54,7 +54,7 @@ std::optional<Interval> interval_of(const Check& check, const Measured& m) {
           std::ranges::sort(sorted);
           return quantile(sorted, 0.5);
         };
-        if (check.kind == "a12") return rank_sum(a, b).a12;
+        if (check.kind == "a12") return effect_size(a, b);
         const double x = middle(a), y = middle(b);
         return check.kind == "difference" ? x - y : x / y;
       },
@@ -116,9 +116,10 @@ std::vector<std::vector<Measured>> measured_claims(const std::vector<Claim>& cla
         m.least_p = least_possible(check, m, p.size());
       }
       m.outcome = outcome_of(check, m);
+      if (!m.p_together) continue;
       const bool lacks_evidence = within(*m.x, check.reproduced) ? m.outcome != CheckOutcome::yes
                                                                  : m.outcome == CheckOutcome::undecided;
-      if (m.p_together && lacks_evidence)
+      if (lacks_evidence)
         m.would_tell = replications_to_tell(*m.a12, check.p_below / static_cast<double>(p.size()));
     }
   return all;

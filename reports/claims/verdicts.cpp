@@ -52,7 +52,7 @@ std::string verdict_tiles(const nlohmann::json& all) {
   const nlohmann::json claims = claims_decided_by("result", all);
   std::string html = "<div class=\"tiles\">\n";
   for (const Verdict& verdict : kVerdicts)
-    html += fmt::format("<div class=\"tile {}\"><b>{}</b><span>{} {}</span></div>\n", verdict.css,
+    html += fmt::format("<div class=\"tile {}\"><b>{}</b><span>{}&nbsp;{}</span></div>\n", verdict.css,
                         count(claims, verdict), verdict.sign, verdict.name);
   return html + "</div>\n";
 }

@@ -71,6 +71,8 @@ constexpr std::array kContenders = {
     Row{"whole_speed", "speed,\nbody", Colour::orange},
     Row{"arm_faster", "arm", Colour::blue},
     Row{"whole_faster", "body", Colour::orange},
+    Row{"whole_margin", "body", Colour::orange},
+    Row{"whole_grip", "body", Colour::orange},
 };
 
 // "RShoulderPitch" -> "RShoulder" above "Pitch".

@@ -169,13 +169,13 @@ Figure fooling_figure(const Evidence& evidence) {
   Figure figure{.id = "fooling", .title = "How the network is fooled"};
   figure.caption =
       "a, b: every digit of all replications by the network’s error, which the search minimises, and the "
-      "confidence of the judge, which it never sees; dark where the judge calls it good. Below the level "
-      "line "
-      "the judge refuses; the upright line is the network’s mean error on real test images. c: how many of "
-      "the "
-      "digits with about the same error are good. d: rank correlation of the two opinions, and e: the mean "
-      "confidence, one value per replication. f, g: for each class, as the judge sees it, the digit with the "
-      "least error (written below it) among the good ones and among the others.";
+      "confidence of the judge, which it never sees; dark where the judge calls it good. Errors beyond "
+      "their 99.5 % quantile stand on the right edge, the lowest confidences on the lower one. Below the "
+      "level line the judge refuses; the upright line is the network’s mean error on real test images. "
+      "c: how many of the digits with about the same error are good. d: rank correlation of the two "
+      "opinions, and e: the mean confidence, one value per replication. f, g: for each class, as the judge "
+      "sees it, the digit with the least error (written below it) among the good ones and among the "
+      "others.";
   const auto files = evidence.artifacts.replications("digit_verdicts");
   std::vector<Replications> all;
   for (const char* who : kDrawers) {

@@ -96,7 +96,7 @@ Panel numbers_panel(const std::string& title, const std::filesystem::path& path,
                                  {"y_m", static_cast<double>(numbers[next].strokes[k][p].second)}});
       body += number_cell(numbers[next++]);
     } else {
-      body += svg_text(fmt::format("{:02}", i), kNumberCell / 2, kNumberCell / 2 + 5, 14, Colour::faint,
+      body += svg_text(fmt::format("{:02}", i), kNumberCell / 2, kNumberCell / 2 + 5, 14, Colour::grey,
                        Align::centre);
     }
     body += "</g>\n";

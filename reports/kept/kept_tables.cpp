@@ -108,11 +108,12 @@ std::string with_table(const std::string& text, const KeptTable& table, const st
   const std::string begin = fmt::format("<!-- table {}: `make figures` fills it -->\n", table.name),
                     end = "<!-- end of table -->\n";
   const std::size_t from = text.find(begin);
-  const std::size_t to = from == std::string::npos ? from : text.find(end, from);
-  if (to == std::string::npos)
-    throw InputError("{}: expected a line '{}' and below it one '{}', found none", table.file,
-                     begin.substr(0, begin.size() - 1), end.substr(0, end.size() - 1));
-  const std::size_t inside = from + begin.size();
+  const std::size_t inside = from == std::string::npos ? from : from + begin.size();
+  const std::size_t to = text.find(end, inside), next = text.find("<!-- table ", inside);
+  if (to == std::string::npos || next < to)
+    throw InputError(
+        "{}: expected a line '{}' and below it, before that of any other table, one '{}', found none",
+        table.file, begin.substr(0, begin.size() - 1), end.substr(0, end.size() - 1));
   return text.substr(0, inside) + markdown + text.substr(to);
 }
 

@@ -114,6 +114,8 @@ Verification verify(const KeptRun& reference, const KeptRun& run) {
     if (!reference.statistics.contains(variation))
       result.notes.push_back(fmt::format("variation {}: not in the reference, not compared", variation));
   const std::size_t claims = compare_claims(reference, run, exact, result);
+  if (artifacts + compared + claims == 0)
+    result.differences.push_back("nothing could be compared: no artifact, quantity, number or claim");
   result.summary =
       fmt::format("{}: {}{} quantities and numbers and {} claims compared with the reference {}: {}",
                   run.profile, exact ? fmt::format("{} artifacts, ", artifacts) : "", compared, claims,

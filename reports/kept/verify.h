@@ -25,8 +25,9 @@ struct Verification {
 // once must be within 10 %, those that are shares within 0.02 (2 points). Verdicts follow from these: another
 // one is a note.
 //
-// A quantity that only one of them has is a note where the other has none of its kind (the digits of a run
-// without digits), a difference where a single one is missing from the run.
+// Runs of which nothing can be compared differ. A quantity that only one of them has is a note where the
+// other has none of its kind (the digits of a run without digits), a difference where a single one is missing
+// from the run.
 Verification verify(const KeptRun& reference, const KeptRun& run);
 
 }  // namespace hbr::inline reports

@@ -14,7 +14,7 @@ std::string robot_page(const RobotPage& page, const std::filesystem::path& three
   std::string pictures;
   for (const auto& [file, shows] : page.pictures)
     pictures += fmt::format("<figure><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
-                            escape_html(file), escape_html(shows), escape_html(shows));
+                            escape_url(file), escape_html(shows), escape_html(shows));
   TemplateContent content;
   content.values = {
       {"name", escape_html(page.name)},

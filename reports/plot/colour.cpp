@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -17,16 +18,19 @@ struct Entry {
   std::uint32_t paper;  // what a file of its own shows
 };
 
-// In the order of the enumeration.
-constexpr std::array<Entry, 9> kColours = {{{"ink", 0x010203, 0x22262b},
-                                            {"faint", 0x040506, 0xd9dce1},
-                                            {"blue", 0x0072b2, 0x0072b2},
-                                            {"orange", 0xe69f00, 0xe69f00},
-                                            {"green", 0x009e73, 0x009e73},
-                                            {"vermilion", 0xd55e00, 0xd55e00},
-                                            {"purple", 0xcc79a7, 0xcc79a7},
-                                            {"sky", 0x56b4e9, 0x56b4e9},
-                                            {"grey", 0x7a8088, 0x7a8088}}};
+// In the order of the enumeration; behind them what words have in place of some.
+constexpr std::array<Entry, 12> kColours = {{{"ink", 0x010203, 0x22262b},
+                                             {"faint", 0x040506, 0xd9dce1},
+                                             {"blue", 0x0072b2, 0x0072b2},
+                                             {"orange", 0xe69f00, 0xe69f00},
+                                             {"green", 0x009e73, 0x009e73},
+                                             {"vermilion", 0xd55e00, 0xd55e00},
+                                             {"purple", 0xcc79a7, 0xcc79a7},
+                                             {"sky", 0x56b4e9, 0x56b4e9},
+                                             {"grey", 0x7a8088, 0x7a8088},
+                                             {"orange-words", 0x9c6700, 0x9c6700},
+                                             {"vermilion-words", 0xc04f00, 0xc04f00},
+                                             {"sky-words", 0x2279b0, 0x2279b0}}};
 
 std::string hex(std::uint32_t value) { return fmt::format("#{:06x}", value); }
 
@@ -80,6 +84,13 @@ std::string recolour(std::string_view svg, Replacement replacement) {
 }  // namespace
 
 std::string hex(Colour colour) { return hex(kColours.at(static_cast<std::size_t>(colour)).name); }
+
+std::string hex_of_words(Colour colour) {
+  const std::string words = std::string(kColours.at(static_cast<std::size_t>(colour)).variable) + "-words";
+  const auto darker =
+      std::ranges::find(kColours, words, [](const Entry& entry) { return std::string(entry.variable); });
+  return darker == kColours.end() ? hex(colour) : hex(darker->name);
+}
 
 std::string recolour_for_page(std::string_view svg) {
   return recolour(svg, [](const Entry& entry) { return fmt::format("var(--{})", entry.variable); });

@@ -72,7 +72,7 @@ std::string svg_text(const std::string& text, double x, double y, double size, C
   return fmt::format(
       "<text x=\"{:.1f}\" y=\"{:.1f}\" font-family=\"sans-serif\" font-size=\"{}\" text-anchor=\"{}\" "
       "fill=\"{}\">{}</text>\n",
-      x, y, size, anchor, hex(colour), escape_html(text));
+      x, y, size, anchor, hex_of_words(colour), escape_html(text));
 }
 
 }  // namespace hbr::inline reports

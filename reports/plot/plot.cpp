@@ -138,7 +138,7 @@ PlotScript plot_script(const BandPlot& plot, const std::string& prefix) {
     const std::string colour = hex(band.colour);
     script += data_block(fmt::format("b{}", i), {band.x, band.q1, band.median, band.q3}, axis.scale);
     script += fmt::format("set label {} at graph 1.02, graph {} left textcolor rgb '{}'\n",
-                          gnuplot_quoted(band.label), ends[i], colour);
+                          gnuplot_quoted(band.label), ends[i], hex_of_words(band.colour));
     areas += fmt::format(
         "$b{} using 1:2:4 with filledcurves fc rgb '{}' fs transparent solid 0.18 noborder, ", i, colour);
     lines += fmt::format("$b{} using 1:3 with lines lw 2 lc rgb '{}', ", i, colour);
@@ -181,19 +181,22 @@ PlotScript plot_script(const BoxPlot& plot, const std::string& prefix) {
     const auto& [label, colour, box, points] = plot.boxes[i];
     const double x = static_cast<double>(i + 1);
     const Summary& s = box.all;
-    script += data_block(fmt::format("b{}", i),
-                         {{x}, {clipped(s.q1)}, {clipped(box.low)}, {box.high}, {s.q3}, {clipped(s.median)}},
-                         axis.scale);
-    ticks += fmt::format("{}{} {}", i ? ", " : "", gnuplot_quoted(label), x);
+    script += data_block(
+        fmt::format("b{}", i),
+        {{x}, {clipped(s.q1)}, {clipped(box.low)}, {clipped(box.high)}, {clipped(s.q3)}, {clipped(s.median)}},
+        axis.scale);
+    ticks += (i ? ", " : "") + gnuplot_tick(label, x);
     plots += fmt::format(
         "$b{0} using 1:2:3:4:5 with candlesticks lw 1.4 lc rgb '{1}' fs transparent solid 0.18 border lc rgb "
         "'{1}' whiskerbars 0.4, $b{0} using 1:6:6:6:6 with candlesticks lw 3 lc rgb '{1}', ",
         i, hex(colour));
     if (points.empty()) continue;
-    std::vector<double> places;  // spread by the golden ratio: even, and the same every time
-    for (std::size_t k = 0; k < points.size(); ++k)
+    std::vector<double> places, heights;  // spread by the golden ratio: even, and the same every time
+    for (std::size_t k = 0; k < points.size(); ++k) {
       places.push_back(x + 0.3 * (std::fmod(0.618034 * static_cast<double>(k + 1), 1.0) - 0.5));
-    script += data_block(fmt::format("p{}", i), {places, points}, axis.scale);
+      heights.push_back(clipped(points[k]));
+    }
+    script += data_block(fmt::format("p{}", i), {places, heights}, axis.scale);
     plots += fmt::format("$p{} using 1:2 with points pt 7 ps 0.4 lc rgb '{}', ", i, hex(colour));
   }
   for (std::size_t i = 0; i < plot.brackets.size(); ++i) {
@@ -222,7 +225,7 @@ PlotScript plot_script(const BarPlot& plot, const std::string& prefix) {
   script += fmt::format("set xlabel {} offset 0,0.6 textcolor rgb '{}'\n", gnuplot_quoted(plot.x_label),
                         hex(Colour::ink));
   for (std::size_t g = 0; g < plot.groups.size(); ++g)
-    ticks += fmt::format("{}{} {}", g ? ", " : "", gnuplot_quoted(plot.groups[g]), g + 1);
+    ticks += (g ? ", " : "") + gnuplot_tick(plot.groups[g], static_cast<double>(g + 1));
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const auto& [label, colour, values] = plot.series[i];
     HBR_CHECK(values.size() == plot.groups.size(), "{} bars, {} groups", values.size(), plot.groups.size());
@@ -235,7 +238,7 @@ PlotScript plot_script(const BarPlot& plot, const std::string& prefix) {
     if (n > 1)
       script += fmt::format("set label {} at screen {}, screen 0.96 left font ',bold' textcolor rgb '{}'\n",
                             gnuplot_quoted(label), 0.5 + std::min(0.2, 0.48 / n) * static_cast<double>(i),
-                            hex(colour));
+                            hex_of_words(colour));
   }
   return {script + "set xtics (" + ticks + ")\nplot " + plots + "\n", prefix, in_words(plot)};
 }

@@ -82,22 +82,29 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks) {
 std::string gnuplot_ticks(const char* axis, const std::vector<double>& ticks) {
   const std::vector<std::string> labels = tick_labels(ticks);
   std::string list;
-  for (std::size_t i = 0; i < ticks.size(); ++i)
-    list += fmt::format("{}{} {}", i ? ", " : "", gnuplot_quoted(labels[i]), ticks[i]);
+  for (std::size_t i = 0; i < ticks.size(); ++i) list += (i ? ", " : "") + gnuplot_tick(labels[i], ticks[i]);
   return fmt::format("set {} ({})\n", axis, list);
 }
 
 std::string gnuplot_quoted(const std::string& text) {
   std::string safe = "\"";
   for (const char c : text) {
-    if (c == '\n') {
+    if (c == '\n')
       safe += "\\n";
-      continue;
-    }
-    if (c == '"' || c == '\\') safe += '\\';
-    safe += c;
+    else if (c == '`')
+      safe += "\\140";
+    else if (c == '"' || c == '\\')
+      safe += {'\\', c};
+    else
+      safe += c;
   }
   return safe + '"';
+}
+
+std::string gnuplot_tick(const std::string& label, double at) {
+  std::string format;  // gnuplot writes the number where a label has a %
+  for (const char c : label) format += std::string(c == '%' ? 2 : 1, c);
+  return fmt::format("{} {}", gnuplot_quoted(format), at);
 }
 
 std::string plot_head(double width, const std::string& unit, double right_margin, double bottom_margin) {

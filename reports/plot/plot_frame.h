@@ -28,8 +28,10 @@ std::vector<std::string> tick_labels(const std::vector<double>& ticks);
 // "set ytics (...)" or "set xtics (...)".
 std::string gnuplot_ticks(const char* axis, const std::vector<double>& ticks);
 
-// A text for gnuplot, quoted.
+// A text for gnuplot, quoted: nothing in it is a command, not even between backquotes.
 std::string gnuplot_quoted(const std::string& text);
+// A label and where it stands on an axis, for "set xtics (...)".
+std::string gnuplot_tick(const std::string& label, double at);
 
 // Terminal of that width, margins (right: units left free for labels), border, grid, the unit above the axis.
 std::string plot_head(double width, const std::string& unit, double right_margin, double bottom_margin);

@@ -32,7 +32,8 @@ std::string scientific(double value, int digits) {
 
 std::string unit_suffix(const std::string& unit) {
   static const std::map<std::string, std::string> kSymbols = {
-      {"%", "%"}, {"m", "m"}, {"m^2", "m²"}, {"rad", "rad"}, {"rad^2", "rad²"}, {"s", "s"}, {"°", "°"}};
+      {"%", "%"},     {"m", "m"},        {"mm", "mm"}, {"m^2", "m²"},
+      {"rad", "rad"}, {"rad^2", "rad²"}, {"s", "s"},   {"°", "°"}};
   const auto symbol = kSymbols.find(unit);
   return symbol == kSymbols.end() ? "" : kNarrowSpace + symbol->second;
 }

@@ -10,6 +10,9 @@ namespace hbr::inline reports {
 // & < > " ' as entities: safe in text and in quoted attributes.
 std::string escape_html(std::string_view text);
 
+// The relative address of a file: what is no letter, no digit and none of - . _ ~ / as %XX.
+std::string escape_url(std::string_view path);
+
 // As RFC 4648 has it, with padding.
 std::string base64(std::string_view bytes);
 

@@ -66,6 +66,22 @@ export const explorerChecks = [
     await page.holds(`${kHeading} === ${JSON.stringify(seen[1][1])}`);
   }, "desk"],
 
+  // Another replication comes only when it is delivered, and nobody waits for it any more.
+  ["the address that comes last counts", async (page, { url, html }) => {
+    await page.go(url, kReady);
+    const { words } = packOf(html, "explorer"), [first, second] = packOf(html, "explorer-00").arrays["hbr/id"].values;
+    await page.evaluate(`unpack("explorer").then(({ words }) => {
+      words.replications.push("slow");
+      unpacked.set("explorer-slow", new Promise((resolve) => { window.deliver = () => resolve(unpack("explorer-00")); })); })`);
+    await page.evaluate(`location.hash = "#hbr/${words.replications.length}/${first}"`);
+    await wait(100);
+    await follow(page, `#hbr/0/${second}`);
+    await page.evaluate("deliver()");
+    await wait(300);
+    assert.ok((await page.evaluate(kHeading)).endsWith("· " + second));
+    assert.ok((await page.evaluate(text(".python"))).includes("/00.h5"));
+  }, "own"],
+
   ["an address opens any layer", async (page, { url, html }) => {
     const { words, arrays } = packOf(html, "explorer-00");
     const last = (group) => arrays[group + "/id"].values.at(-1);
@@ -130,7 +146,20 @@ export const explorerChecks = [
     assert.notEqual(await page.evaluate(arm), still);
   }, "moving"],
 
+  ["several addresses one after the other do not hurry the arm", async (page, { html }) => {
+    await page.evaluate(`document.querySelector('[aria-label="Speed"]').value = "0.25"`);
+    const [first, second] = packOf(html, "explorer-00").arrays["hbr/id"].values;
+    for (const hash of [`#hbr/0/${first}`, `#hbr/0/${second}`, longestWay(html)]) await follow(page, hash);
+    const { moved, seconds, postures } = await page.evaluate(`(async () => {
+      const scrub = document.querySelector('[aria-label="Posture"]'), from = Number(scrub.value), start = performance.now();
+      await new Promise((resolve) => setTimeout(resolve, 2000));
+      return { moved: Number(scrub.value) - from, seconds: (performance.now() - start) / 1000, postures: Number(scrub.max) + 1 }; })()`);
+    const one = Math.max(3, postures / 4) * 0.25 * seconds;  // whole postures are told
+    assert.ok(moved > 0 && moved <= 1.3 * one + 1, `${moved} postures in place of ${one}`);
+  }, "moving"],
+
   ["who asks for less motion gets none", async (page, { html }) => {
+    assert.equal(await page.evaluate("getComputedStyle(document.documentElement).scrollBehavior"), "auto");
     await follow(page, longestWay(html));
     assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
     const still = await page.evaluate(arm);
@@ -197,18 +226,37 @@ export const explorerChecks = [
     assert.equal(fitnesses, words.layers.some(({ group }) => group === "layer5") ? 1 : 0);
   }, "desk"],
 
+  // As some networks give.
+  ["a descriptor of one number has a map", async (page) => {
+    const places = await page.evaluate(`(async () => {
+      const { words, arrays } = await unpack("explorer-00"), layer = words.layers.find(({ group }) => group === "hbr");
+      const { shape: [elites, columns], values } = arrays["hbr/measures"];
+      const one = { shape: [elites, 1], values: values.filter((_, i) => i % columns === 0) };
+      const descriptor = Object.fromEntries(Object.entries(layer.descriptor).map(([key, of]) => [key, Array.isArray(of) ? of.slice(0, 1) : of]));
+      const narrow = new ExplorerLayer({ ...layer, descriptor, robot: {} }, { ...arrays, "hbr/measures": one });
+      const map = new EliteMap(narrow, { hover() {}, choose() {}, step() {} });
+      document.body.append(map.root);
+      map.show({ axes: [0, 1], visible: [...narrow.id.keys()], scale: colouring([narrow], "error") });
+      const places = map.visible.map((row) => map.xy(map.place(row)));
+      map.root.remove();
+      return places; })()`);
+    assert.ok(places.every(([x, y]) => Number.isFinite(x) && y === places[0][1]));
+    assert.ok(new Set(places.map(([x]) => x)).size > 1);
+  }, "desk"],
+
   ["words can be read on their paper", async (page) => {
     for (const theme of ["light", "dark"]) {
       await page.media({ "prefers-color-scheme": theme });
       const faint = await page.evaluate(`(() => {
         const light = (colour) => { const [r, g, b] = colour.match(/[\\d.]+/g).map((v) => { const s = v / 255; return s <= 0.03928 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4; }); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
-        const paper = (e) => { for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$|transparent/.test(c)) return c; } return "rgb(255, 255, 255)"; };
+        const paper = (e) => { if (e.previousElementSibling?.matches('circle[fill="#ffffff"]')) return "rgb(255, 255, 255)"; for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$|transparent/.test(c)) return c; } return "rgb(255, 255, 255)"; };
         const poor = [];
-        for (const e of document.querySelectorAll("#explorer *")) {
-          if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) || !e.getClientRects().length) continue;
-          const [a, b] = [light(getComputedStyle(e).color), light(paper(e))].sort((x, y) => y - x);
-          if ((a + 0.05) / (b + 0.05) < 4.5) poor.push(e.tagName + " " + e.textContent);
-        }
+        for (const [words, ink] of [["#explorer *", "color"], ["main svg text", "fill"]])
+          for (const e of document.querySelectorAll(words)) {
+            if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) || !e.getClientRects().length) continue;
+            const [a, b] = [light(getComputedStyle(e)[ink]), light(paper(e))].sort((x, y) => y - x);
+            if ((a + 0.05) / (b + 0.05) < 4.5) poor.push(e.tagName + " " + e.textContent);
+          }
         return poor; })()`);
       assert.deepEqual(faint, []);
     }

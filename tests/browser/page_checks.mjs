@@ -3,6 +3,9 @@ import assert from "node:assert/strict";
 
 const kMostBytes = 10e6, kMostHeight = 16000;
 const sections = "[...document.querySelectorAll('main > section')]";
+const claims = "[...document.querySelectorAll('.claims tbody')]";
+const kReady = "!document.getElementById('explorer-app')?.hidden";
+const filter = (verdict) => `document.querySelector('#claims .filters button[value="${verdict}"]').click()`;
 
 export const pageChecks = [
   ["the page is not too large", async (page, { bytes }) => {
@@ -22,7 +25,8 @@ export const pageChecks = [
   }, "own"],
 
   ["paper shows every section with all that is folded, without what needs a screen", async (page, { url }) => {
-    await page.go(url, "!document.getElementById('explorer-app')?.hidden");
+    await page.go(url, kReady);
+    await page.evaluate("document.querySelector('#claims .filters button:last-child').click(), localStorage.clear()");
     await page.evaluate("dispatchEvent(new Event('beforeprint'))");
     await page.send("Emulation.setEmulatedMedia", { media: "print" });
     const shown = await page.evaluate(`${sections}.filter((s) => s.getBoundingClientRect().height > 0).map((s) => s.id)`);
@@ -30,9 +34,55 @@ export const pageChecks = [
     assert.ok(all.length >= 8);
     assert.deepEqual(shown, all.filter((id) => id !== "explorer"));
     assert.equal(await page.evaluate("document.querySelectorAll('details:not([open])').length"), 0);
+    assert.ok(await page.evaluate(`${claims}.every((claim) => claim.getBoundingClientRect().height > 0)`), "a claim is missing");
     const { data } = await page.send("Page.printToPDF", {});
     assert.ok(data.length > 100_000, "the printed page is empty");
   }, "own"],
+
+  ["each filter shows the claims of its verdict alone", async (page) => {
+    const fold = (open) => page.evaluate(`for (const fold of document.querySelectorAll("#claims > details")) fold.open = ${open}`);
+    const verdicts = await page.evaluate("[...document.querySelectorAll('#claims .filters button')].map((button) => button.value)");
+    assert.ok(verdicts.length > 1);
+    await fold(true);
+    for (const wanted of verdicts.reverse()) {  // all of them at last
+      await page.evaluate(filter(wanted));
+      for (const [verdict, shown] of await page.evaluate(`${claims}.map((claim) => [claim.dataset.verdict, claim.getBoundingClientRect().height > 0])`))
+        assert.equal(shown, wanted === "" || verdict === wanted, `${wanted}: ${verdict}`);
+    }
+    await fold(false);
+    await page.evaluate("localStorage.clear()");
+  }, "phone"],
+
+  ["a claim that the filter hides is shown for its address", async (page, { url }) => {
+    await page.go(url, kReady);
+    const verdict = await page.evaluate("document.querySelector('#claims .filters button:last-child').value");
+    const id = await page.evaluate(`${claims}.find((claim) => claim.dataset.verdict !== "${verdict}").id`);
+    const box = `document.getElementById("${id}").getBoundingClientRect()`;
+    await page.evaluate(filter(verdict));
+    assert.equal(await page.evaluate(`${box}.height`), 0);
+    await page.evaluate(`location.hash = "${id}"`);
+    await page.holds(`(({ top, height }) => height > 0 && top >= 0 && top < innerHeight)(${box})`);
+    assert.ok(await page.evaluate(`${claims}.every((claim) => !claim.hidden)`));
+    await page.evaluate(filter(verdict));
+    await page.go(null, kReady);
+    await page.evaluate("localStorage.clear()");
+    assert.ok((await page.evaluate(`${box}.height`)) > 0);
+  }, "own"],
+
+  ["an address that is no text stops no script", async (page, { url }) => {
+    await page.go(url + "#50%", kReady);
+    assert.ok(await page.evaluate(`[...document.querySelectorAll("svg")].filter((svg) => svg.querySelector("animate"))
+      .every((svg) => /^(Play|Pause)$/.test(svg.parentElement.previousElementSibling.textContent))`));
+  }, "own"],
+
+  ["the tiles of the verdicts hold their words, each beside its sign", async (page) => {
+    const tiles = await page.evaluate(`[...document.querySelectorAll(".tile")].map((tile) => {
+      const word = tile.querySelector("span").firstChild;
+      const top = (at) => { const range = new Range(); range.setStart(word, at); range.setEnd(word, at + 1); return range.getBoundingClientRect().top; };
+      return [word.data, Math.abs(top(0) - top(2)), tile.scrollWidth - tile.clientWidth]; })`);
+    assert.equal(tiles.length, 5);
+    for (const [word, apart, over] of tiles) assert.ok(apart < 3 && over <= 0, `${word}: ${apart} and ${over} pixels`);
+  }, "desk"],
 
   ["every control says what it is", async (page) => {
     const { nodes } = await page.send("Accessibility.getFullAXTree");
@@ -67,7 +117,7 @@ export const pageChecks = [
     assert.ok(height < kMostHeight, `${height} pixels`);
   }, "desk"],
 
-  ["without scripts the explorer says what it needs", async (page, { url }) => {
+  ["without scripts the explorer says what it needs, and no button does nothing", async (page, { url }) => {
     await page.send("Emulation.setScriptExecutionDisabled", { value: true });
     await page.go(url, "true");
     const { root } = await page.send("DOM.getDocument", {});
@@ -76,6 +126,6 @@ export const pageChecks = [
       return page.send("DOM.getBoxModel", { nodeId }).then(() => true, () => false);
     };
     assert.equal(await boxes("#explorer-needs"), true);
-    assert.equal(await boxes("#explorer-app"), false);
+    for (const idle of ["#explorer-app", "#theme", "#claims .filters"]) assert.equal(await boxes(idle), false, idle);
   }, "own"],
 ];

@@ -103,6 +103,25 @@ const checks = [
     assert.ok((await page.evaluate(`${control("facts")}.textContent`)).includes(String(id)));
   }, "desk"],
 
+  ["an address counts the explorer's replications, of which the robots may lack some", async (page, { url }) => {
+    await page.go(url, "!document.getElementById('explorer-app')?.hidden");
+    await show(page);
+    const [row, id] = await page.evaluate(`(({ row, digits: { id } }) => [(row + 1) % id.length, id[(row + 1) % id.length]])(${kPlayer})`);
+    await page.evaluate(`unpack("explorer").then(({ words }) => words.replications.unshift("another"))`);
+    await page.evaluate(`location.hash = "#hbr/1/${id}"`);
+    await page.holds(`${kPlayer}.row === ${row}`);
+  }, "own"],
+
+  ["only a digit that was good is said to be read as before", async (page, { html }) => {
+    await show(page);
+    await choose(page, { robot: packOf(html, "robots3d").words.robots[0].name });
+    for (const row of await page.evaluate(`${kPlayer}.digits.id.map((_, row) => row).filter((row) => ${kPlayer}.ways.servos(row))`)) {
+      await choose(page, { row });
+      const said = (await page.evaluate(`${control("facts")}.textContent`)).includes("read as before");
+      assert.ok(!said || (await page.evaluate(`${kPlayer}.digits.good[${row}] === 1`)), `digit ${row}`);
+    }
+  }, "desk"],
+
   ["who asked for no motion sees none, and a phone all of it", async (page) => {
     await show(page);
     assert.equal(await page.evaluate(`${kPlayer}.playing`), false);

@@ -13,23 +13,27 @@ class Explorer {
     });
     root.append(this.bar, element("div", { class: "explorer-body" },
       element("div", { class: "where" }, this.legend, this.maps), this.panel.root, this.panel.more));
-    addEventListener("popstate", () => this.follow());
-    addEventListener("hashchange", () => this.follow());
+    // Some steps in the browser's history are told twice.
+    for (const step of ["popstate", "hashchange"])
+      addEventListener(step, () => { if (location.hash !== this.address) this.follow(); });
     const redraw = () => this.refresh();
     new MutationObserver(redraw).observe(document.documentElement, { attributeFilter: ["data-theme"] });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   }
 
+  // Whether it is open: what is asked for last counts.
   async open(replication, group) {
+    const asked = (this.asked = {});
     if (this.layers === undefined || replication !== this.replication) {
-      this.replication = replication;
-      this.layers = await readExplorer(this.replications[replication]);
-      this.views = [["hbr", "flat"].filter((name) => this.layers.has(name)),
-                    ...[...this.layers.keys()].filter((name) => name.startsWith("layer")).map((name) => [name])];
-      this.view = undefined;
+      const layers = await readExplorer(this.replications[replication]);
+      if (asked !== this.asked) return false;
+      const views = [["hbr", "flat"].filter((name) => layers.has(name)),
+                     ...[...layers.keys()].filter((name) => name.startsWith("layer")).map((name) => [name])];
+      Object.assign(this, { replication, layers, views, view: undefined });
     }
     const view = this.views.find((groups) => groups.includes(group)) ?? this.views[0];
     if (view !== this.view) this.show(view);
+    return true;
   }
 
   // The maps and the controls of a view, one layer or both repertoires of digits.
@@ -88,8 +92,7 @@ class Explorer {
     if (this.replications.length > 1)
       controls.push(labelled("Replication", select(this.replications.map((_, k) => [String(k), String(k)]),
         String(this.replication), async (value) => {
-          await this.open(Number(value), this.view[0]);
-          this.selectFirst(true);
+          if (await this.open(Number(value), this.view[0])) this.selectFirst(true);
         })));
     const refreshing = (change) => (value) => { change(value); this.refresh(); };
     controls.push(labelled("Colour", select(this.quantities.map(({ key, name }) => [key, name]), this.key,
@@ -141,6 +144,7 @@ class Explorer {
   select(layer, row, step) {
     const address = `#${layer.group}/${this.replication}/${layer.id[row]}`;
     if (location.hash !== address) history[step ? "pushState" : "replaceState"](null, "", address);
+    this.address = address;
     this.mark(layer, row);
   }
   mark(layer, row) {
@@ -156,7 +160,8 @@ class Explorer {
     }
     this.panel.show(layer, row, twin);
     if (layer.group === "hbr")
-      dispatchEvent(new CustomEvent("hbr-digit", { detail: { replication: this.replication, id: layer.id[row] } }));
+      dispatchEvent(new CustomEvent("hbr-digit",
+        { detail: { replication: this.replications[this.replication], id: layer.id[row] } }));
   }
   // The digit that the judge is surest of, or the fittest elite.
   selectFirst(step) {
@@ -172,9 +177,10 @@ class Explorer {
 
   // Goes where the address points; whether it points into the explorer.
   async follow() {
+    this.address = location.hash;
     const [, group, replication, id] = location.hash.match(/^#(\w+)\/(\d+)\/(\d+)$/) ?? [];
     if (!group || Number(replication) >= this.replications.length) return false;
-    await this.open(Number(replication), group);
+    if (!(await this.open(Number(replication), group))) return true;
     const layer = this.layers.get(group), row = layer?.rowOf.get(Number(id));
     if (row === undefined) return false;
     this.mark(layer, row);
@@ -206,12 +212,9 @@ class Explorer {
   if (!root || !window.DecompressionStream) return;
   const { words } = await unpack("explorer");
   const explorer = new Explorer(root, words);
-  document.getElementById("explorer-needs").remove();
   const asked = await explorer.follow();
-  if (!asked) {
-    await explorer.open(0, "hbr");
-    explorer.selectFirst(false);
-  }
+  if (!asked && (await explorer.open(0, "hbr"))) explorer.selectFirst(false);
+  document.getElementById("explorer-needs").remove();
   root.hidden = false;
   if (asked) document.getElementById("explorer").scrollIntoView();
 })();

@@ -35,17 +35,17 @@ class ArmPlayer {
     this.play.textContent = "Pause";
     let before = performance.now();
     const frame = (now) => {
-      if (!this.playing) return;
       this.at = Math.min(this.at + ((now - before) / 1000) * this.pace, this.way.arms.length - 1);
       before = now;
       this.draw();
       if (this.at >= this.way.arms.length - 1) this.pause();
-      else requestAnimationFrame(frame);
+      else this.next = requestAnimationFrame(frame);
     };
-    requestAnimationFrame(frame);
+    this.next = requestAnimationFrame(frame);
   }
   pause() {
     this.playing = false;
+    cancelAnimationFrame(this.next);
     this.play.textContent = "Play";
   }
 

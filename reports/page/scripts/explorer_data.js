@@ -25,8 +25,11 @@ class ExplorerLayer {
       ?? this.kind[0].toUpperCase() + this.kind.slice(1).replaceAll("_", " ");
   }
 
-  place(row, d) { return inUnits(this.descriptor, this.of("measures").values[row * this.dimensions + d], d); }
-  range(d) { return [this.descriptor.from[d], this.descriptor.to[d]]; }
+  // A descriptor of one number has its elites in the middle of the other axis.
+  place(row, d) {
+    return d < this.dimensions ? inUnits(this.descriptor, this.of("measures").values[row * this.dimensions + d], d) : 0;
+  }
+  range(d) { return d < this.dimensions ? [this.descriptor.from[d], this.descriptor.to[d]] : [-1, 1]; }
   generation(row) { return Math.floor(this.id[row] / this.batch) + 1; }
   genome(row) {
     const { shape, values } = this.of("solution"), length = this.of("length")?.values[row] ?? shape[1];

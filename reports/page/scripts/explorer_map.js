@@ -103,6 +103,7 @@ class EliteMap {
     text(shortNumber(ends[0][0]), x, y + h + 16, "left");
     text(shortNumber(ends[0][1]), x + w, y + h + 16, "right");
     text(label(this.axes[0]), x + w / 2, y + h + 28, "center");
+    if (this.axes[1] >= this.layer.dimensions) return;
     text(shortNumber(ends[1][0]), x - 5, y + h, "right");
     text(shortNumber(ends[1][1]), x - 5, y + 10, "right");
     paper.save();

@@ -24,10 +24,20 @@ function choice(buttons, key, choose) {
   return (value) => press(buttons.find((button) => button.value === value) ?? buttons[0]);
 }
 
-const claims = [...document.querySelectorAll(".claims tbody")];
-choice([...document.querySelectorAll(".filters button")], "hbr-claims", (verdict) => {
+// The element that the address names, or null: "#50%" names nothing.
+function addressed() {
+  try {
+    return document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  } catch {
+    return null;
+  }
+}
+
+const claims = [...document.querySelectorAll(".claims tbody")], verdicts = [...document.querySelectorAll(".filters button")];
+const showClaims = choice(verdicts, "hbr-claims", (verdict) => {
   for (const claim of claims) claim.hidden = Boolean(verdict) && claim.dataset.verdict !== verdict;
-})(kept.get("hbr-claims"));
+});
+if (verdicts.length) showClaims(kept.get("hbr-claims"));
 
 const robots = [...document.querySelectorAll(".robot")];
 if (robots.length > 1) {
@@ -48,8 +58,7 @@ if (robots.length > 1) {
   });
   // An address within a robot shows that one.
   const follow = () => {
-    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-    const robot = target?.closest(".robot");
+    const target = addressed(), robot = target?.closest(".robot");
     if (robot) { show(robot.id); target.scrollIntoView(); }
     return Boolean(robot);
   };
@@ -57,17 +66,19 @@ if (robots.length > 1) {
   if (!follow()) show(kept.get("hbr-robot"));
 }
 
-// A folded figure opens for its address.
+// A folded figure opens for its address, and a claim that the filter hides comes back.
 const unfold = () => {
-  const fold = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.closest("details");
+  const target = addressed(), fold = target?.closest("details");
   if (fold) fold.open = true;
+  if (target?.closest("tbody[hidden]")) { showClaims(""); target.scrollIntoView(); }
 };
 addEventListener("hashchange", unfold);
 unfold();
 
 // Strokes move until they are paused, and not at all for who asked for no motion; on paper they are finished.
-for (const svg of document.querySelectorAll("svg:has(animate)")) {
+for (const svg of document.querySelectorAll("svg")) {
   const animations = [...svg.querySelectorAll("animate")];
+  if (!animations.length) continue;
   const button = document.createElement("button");
   let moving = false;
   const move = (on) => {

@@ -1,5 +1,6 @@
 // Robots that draw the digits in three dimensions: which robot, which digit, and how far it has drawn. Other scripts
-// choose a digit by the event "hbr-digit" (detail: replication, a number, and id), an address by #hbr/REP/ID.
+// choose a digit by the event "hbr-digit" (detail: the replication's name, and id), an address by #hbr/REP/ID, where REP
+// counts the explorer's replications, which may be more than those that all robots have.
 class RobotPlayer {
   constructor(root, index) {
     Object.assign(this, { root, index, robot: index.robots[0].name, replication: index.replications[0], at: 0, playing: false });
@@ -30,13 +31,13 @@ class RobotPlayer {
     if (!matchMedia("(prefers-reduced-motion: reduce)").matches) this.play();
   }
 
-  followAddress() {
+  async followAddress() {
     const [, replication, id] = location.hash.match(/^#hbr\/(\d+)\/(\d+)$/) ?? [];
-    return replication !== undefined && this.chooseDigit(Number(replication), Number(id));
-  }
-  async chooseDigit(number, id) {
-    const replication = this.index.replications[number];
     if (replication === undefined) return false;
+    return this.chooseDigit((await unpack("explorer")).words.replications[Number(replication)], Number(id));
+  }
+  async chooseDigit(replication, id) {
+    if (!this.index.replications.includes(replication)) return false;
     const row = (await readDigits(replication)).rowOf.get(id);
     if (row === undefined) return false;
     await this.choose({ replication, row });
@@ -89,17 +90,17 @@ class RobotPlayer {
     this.parts.play.textContent = "Pause";
     let before = null;
     const frame = (now) => {
-      if (!this.playing) return;
       const passed = before === null || !this.visible ? 0 : Math.min((now - before) / 1000, 0.1);
       before = now;
       if (passed > 0) this.moveTo(Math.min(this.at + passed * Number(this.parts.speed.value), this.duration));
       if (this.at >= this.duration) this.pause();
-      else requestAnimationFrame(frame);
+      else this.next = requestAnimationFrame(frame);
     };
-    requestAnimationFrame(frame);
+    this.next = requestAnimationFrame(frame);
   }
   pause() {
     this.playing = false;
+    cancelAnimationFrame(this.next);
     this.parts.play.textContent = "Play";
   }
 
@@ -160,7 +161,7 @@ class RobotPlayer {
     const servos = this.ways.servos(row);
     if (servos) {
       const faults = [servos.offBoard && "leave the board", servos.beyondLimit && "ask a joint for too much", servos.lost && "read otherwise"].filter(Boolean);
-      facts.push(["Replayed by servos", faults.length ? faults.join(", ") : "on the board, within all limits, read as before"]);
+      facts.push(["Replayed by servos", faults.length ? faults.join(", ") : "on the board, within all limits" + (good?.[row] ? ", read as before" : "")]);
     }
     this.parts.facts.replaceChildren(...facts.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))));
   }
@@ -182,13 +183,15 @@ function openRobots() {
   const root = document.getElementById("robots3d");
   if (!root || !document.getElementById("pack-three")) return;
   root.hidden = false;
-  let player = null;
-  new IntersectionObserver(async ([{ isIntersecting }]) => {
-    if (player) player.visible = isIntersecting;
-    if (!isIntersecting || player) return;
+  let begun = false, visible = false, player = null;
+  new IntersectionObserver(async (entries) => {
+    visible = entries.at(-1).isIntersecting;
+    if (player) player.visible = visible;
+    if (!visible || begun) return;
+    begun = true;
     try {
       player = new RobotPlayer(root, (await unpack("robots3d")).words);
-      player.visible = true;
+      player.visible = visible;
       root.player = player;
       await player.open(await importThree());
       linkSelectors(player);

@@ -71,28 +71,6 @@ TEST(Collect, SearchesBySizeBestAndMean) {
   EXPECT_EQ(found["curves"]["layer2.n10"]["at"].size(), 21u);
 }
 
-// The flat baseline runs three times longer: what it had at the end of layer 3 is in its course.
-TEST(Collect, EqualGenerationsOfLayerAndBaseline) {
-  TemporaryFolder folder;
-  SyntheticExperiment experiment(folder.path(), 1);
-  experiment.search("layer3_n1", 40, 10, -0.1, -0.5, 100);
-  experiment.search("flat_arcs", 40, 40, -0.2, -0.9, 300);
-  const json found = collect_statistics("tiny", experiment.artifacts())["quantities"];
-  const auto flat = read_progress(folder.path() / "flat_arcs/00.h5");
-  const auto layer = read_progress(folder.path() / "layer3_n1/00.h5");
-  const ProgressRow& row = flat[6];  // 90 of 300; the next is 105
-  ASSERT_EQ(row.generation, 90);
-  EXPECT_EQ(found["flat_arcs.equal_size"]["median"], static_cast<double>(row.size));
-  EXPECT_EQ(found["flat_arcs.equal_best"]["median"], row.best);
-  EXPECT_EQ(found["flat_arcs.equal_mean"]["median"], row.mean);
-  EXPECT_EQ(found["layer3.n1.equal_mean"]["median"], layer.back().mean);
-  std::int64_t covered = -1;
-  for (const ProgressRow& r : flat)
-    if (covered < 0 && static_cast<double>(r.size) >= 0.9 * static_cast<double>(row.size))
-      covered = r.generation;
-  EXPECT_EQ(found["flat_arcs.covering_generations"]["median"], static_cast<double>(covered));
-}
-
 TEST(Collect, MediansOfAccuracyAndSubstitution) {
   TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() / "accuracy");

@@ -44,6 +44,7 @@ TEST(ReplicationsToTell, AreEnoughFourTimesOfFive) {
   EXPECT_EQ(replications_to_tell(0.29, 0.05), 30);
   EXPECT_GT(replications_to_tell(0.71, 0.001).value(), 60);
   EXPECT_FALSE(replications_to_tell(0.5, 0.05));
+  EXPECT_FALSE(replications_to_tell(0.50005, 2e-19));
   Rng rng(Seed(43));
   const auto normal = [&](double mean) {
     double sum = -6;
@@ -98,6 +99,11 @@ TEST(Bootstrap, DrawsBothSamplesAndIsRepeatable) {
   EXPECT_EQ(equal.low, 7);
   EXPECT_EQ(equal.high, 7);
   EXPECT_THROW(bootstrap({}, {}, sum, "n"), InputError);
+  // Of two samples that are mostly zeros some draws have the ratio of two zeros, which is no number.
+  const std::vector<double> zeros{0, 0, .05}, more{0, 0, .5};
+  const Interval none = bootstrap(
+      zeros, more, [](auto x, auto y) { return mean_of(x) / mean_of(y); }, "n");
+  EXPECT_TRUE(std::isnan(none.low) && std::isnan(none.high));
 }
 
 }  // namespace

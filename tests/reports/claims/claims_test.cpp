@@ -142,7 +142,7 @@ TEST(Claims, WhatChanceMayDoIsUndecided) {
   const json claim = evaluate_one(claim_file(folder, asked), accuracies(2));
   EXPECT_EQ(claim["checks"][0]["outcome"], "undecided");
   EXPECT_EQ(claim["reason"], "0 of 1 check holds, 1 is not told from chance.");
-  EXPECT_THAT(verdict_tiles(json::array({claim})), HasSubstr("<b>1</b><span>? undecided"));
+  EXPECT_THAT(verdict_tiles(json::array({claim})), HasSubstr("<b>1</b><span>?&nbsp;undecided"));
   EXPECT_THAT(claims_table(json::array({claim})), HasSubstr("? not told from chance"));
 }
 
@@ -256,17 +256,17 @@ TEST(Claims, OfTheDesignAndOursAreNotCounted) {
   std::ofstream(file) << text;
   const json design = evaluate_claims(file, accuracies(3));
   EXPECT_EQ(design[0]["verdict"], "reproduced");
-  EXPECT_THAT(verdict_tiles(design), HasSubstr("<b>0</b><span>✓ reproduced"));
+  EXPECT_THAT(verdict_tiles(design), HasSubstr("<b>0</b><span>✓&nbsp;reproduced"));
   EXPECT_THAT(claims_table(design), HasSubstr("Facts of the design"));
   text.replace(text.find("\"design\""), 8, "\"ours\"");
   std::ofstream(file) << text;
   const json ours = evaluate_claims(file, accuracies(3));
-  EXPECT_THAT(verdict_tiles(ours), HasSubstr("<b>0</b><span>✓ reproduced"));
+  EXPECT_THAT(verdict_tiles(ours), HasSubstr("<b>0</b><span>✓&nbsp;reproduced"));
   EXPECT_THAT(claims_table(ours), HasSubstr("What we ask besides"));
   text.replace(text.find("\"ours\""), 6, "\"result\"");
   std::ofstream(file) << text;
   const json result = evaluate_claims(file, accuracies(3));
-  EXPECT_THAT(verdict_tiles(result), HasSubstr("<b>1</b><span>✓ reproduced"));
+  EXPECT_THAT(verdict_tiles(result), HasSubstr("<b>1</b><span>✓&nbsp;reproduced"));
   EXPECT_THAT(claims_table(result), Not(HasSubstr("Facts of the design")));
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 #include "pipeline/statistics/names.h"
 #include "pipeline/statistics/table.h"
@@ -60,6 +61,61 @@ TEST(PapersClaims, CanFail) {
       EXPECT_EQ((*same)["checks"][index]["outcome"], "no") << claim.id << ": " << check.words;
     }
   }
+}
+
+// Where two samples are said to differ, chance alone must not do: a test is asked for. Ranges in which
+// samples that do not differ lie, and the hundreds of times of the sizes, need none.
+TEST(PapersClaims, DifferencesAskForATest) {
+  int asked = 0;
+  for (const Claim& claim : read_claim_file(kPapersClaims).claims)
+    for (const Check& check : claim.checks) {
+      if (claim.decided_by != "result" || check.to.empty()) continue;
+      const double no_effect = check.kind == "ratio" ? 1 : check.kind == "difference" ? 0 : 0.5;
+      const bool differ = no_effect < check.reproduced[0] || no_effect > check.reproduced[1];
+      if (!differ || claim.id == "size_ratio") continue;
+      EXPECT_LT(check.p_below, 1) << claim.id << ": " << check.words;
+      ++asked;
+    }
+  EXPECT_GT(asked, 15);
+}
+
+// A claim about a layer needs those below it at their size, too.
+TEST(PapersClaims, LayersBelowCountAsWell) {
+  const json claims = evaluate_claims(kPapersClaims, json::parse(std::ifstream(kSampleRun)));
+  int stand_on_lines = 0;
+  for (const json& claim : claims) {
+    std::set<std::string> needs;
+    for (const json& need : claim["needs"]) needs.insert(need["of"].get<std::string>());
+    const bool substitution = claim["id"].get<std::string>().starts_with("substitution"),
+               above = needs.contains("layer3.n10.generations") || needs.contains("layer3.b.generations");
+    EXPECT_TRUE(!substitution || above) << claim["id"];
+    if (!above) continue;
+    EXPECT_TRUE(needs.contains("layer2.n10.generations")) << claim["id"];
+    EXPECT_TRUE(needs.contains("layer1.generations")) << claim["id"];
+    ++stand_on_lines;
+  }
+  EXPECT_GT(stand_on_lines, 10);
+}
+
+// Nobody is fooled where the flat digits are worse by the network's own error, too.
+TEST(PapersClaims, FoolingAsksBothOpinions) {
+  const auto verdict = [](double flat_error) {
+    StatisticsTable table("test");
+    for (int r = 0; r < 10; ++r) {
+      const double shift = r * 1e-4;
+      table.add("digit_verdicts.hbr.good", r, 0.8 + shift);
+      table.add("digit_verdicts.flat.good", r, 0.3 + shift);
+      table.add("digit_verdicts.hbr.distance", r, 0.8 + shift);
+      table.add("digit_verdicts.flat.distance", r, 0.9 + shift);
+      table.add("layer4.mean", r, -0.02 - shift);
+      table.add("flat_digits.mean", r, flat_error - shift);
+    }
+    for (const json& claim : evaluate_claims(kPapersClaims, table.json()))
+      if (claim["id"] == "fooling") return claim["indication"].get<std::string>();
+    return std::string();
+  };
+  EXPECT_EQ(verdict(-0.015), "reproduced");
+  EXPECT_EQ(verdict(-0.03), "partly");
 }
 
 // Nothing that a claim asks for is missing from a run of everything, such as the one that is kept of

@@ -64,8 +64,9 @@ TEST_F(WorstDigits, AreOrderedOverReplicationsAndToldWhatMostPlacesLack) {
             "as evolved,1,10,0.03125,gap\nas evolved,0,10,0.015625,offsets\n"
             "completed,1,30,0.0625,limit\ncompleted,0,30,0.046875,gap\n"
             "completed,1,10,0.03125,gap\ncompleted,0,10,0.015625,offsets\n");
-  EXPECT_THAT(html, HasSubstr("of 40 places 1 in a gap of layer 1, 0 behind a collision, 5 beyond a joint"));
-  EXPECT_THAT(html, HasSubstr("each of 50 places has an elite within l; offsets add up to 4"));
+  EXPECT_THAT(html, HasSubstr("of 40 places 1 in a gap of layer 1, 0 behind a collision, 5 beyond a joint’s "
+                              "limit; up to 25.0\u202fmm apart<"));
+  EXPECT_THAT(html, HasSubstr("each of 50 places has an elite within l; offsets add up to 4.00\u202fmm<"));
 }
 
 TEST_F(WorstDigits, OfReplaysAreThePosturesTheLimitsOrTheServos) {

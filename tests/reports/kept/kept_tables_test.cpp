@@ -54,7 +54,9 @@ TEST(KeptTables, StandBetweenTheirMarks) {
                     end = "<!-- end of table -->\nb\n";
   EXPECT_EQ(with_table(begin + "old\n" + end, kTable, "new\n"), begin + "new\n" + end);
   EXPECT_EQ(with_table(begin + end, kTable, "new\n"), begin + "new\n" + end);
-  for (const std::string& text : {std::string(), begin, end, end + begin})
+  // Without an end of its own it would take another table's, and all that stands between.
+  const std::string unended = begin + "<!-- table u: `make figures` fills it -->\n" + end;
+  for (const std::string& text : {std::string(), begin, end, end + begin, unended})
     EXPECT_THAT(
         [&] { with_table(text, kTable, ""); },
         ThrowsMessage<InputError>(HasSubstr("README.md: expected a line '<!-- table t: `make figures`")));

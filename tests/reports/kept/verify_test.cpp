@@ -199,6 +199,13 @@ TEST(Verify, WhatOnlyOneHasIsSaid) {
                   "have are compared"));
 }
 
+TEST(Verify, NothingComparedIsADifference) {
+  KeptRun run = elsewhere();
+  for (const char* list : {"quantities", "numbers"}) run.statistics[""][list] = json::object();
+  run.claims = json::array();
+  EXPECT_THAT(verify(kept(), run).differences, ElementsAre(HasSubstr("nothing could be compared")));
+}
+
 TEST(Verify, VariationsAreComparedLikeTheRun) {
   KeptRun reference = kept(), run = kept();
   reference.statistics["short"] = run.statistics["short"] = run.statistics[""];

@@ -28,7 +28,7 @@ class RobotPages : public testing::Test {
   }
   std::string page(const char* three) const {
     return robot_page(
-        {"a<b>", folder_.path() / "shape.h5", "mass 1 kg & <more>", {{"a b.png", "As it \"stands\"."}}},
+        {"a<b>", folder_.path() / "shape.h5", "mass 1 kg & <more>", {{"a #b.png", "As it \"stands\"."}}},
         folder_.path() / three);
   }
   TemporaryFolder folder_;
@@ -38,7 +38,7 @@ TEST_F(RobotPages, HoldTheRobotAndWhatIsToldOfIt) {
   const std::string html = page("three");
   EXPECT_THAT(html, HasSubstr("<h1>a&lt;b&gt;</h1>"));
   EXPECT_THAT(html, HasSubstr("mass 1 kg &amp; &lt;more&gt;</pre>"));
-  EXPECT_THAT(html, HasSubstr("<img src=\"a b.png\" alt=\"As it &quot;stands&quot;.\">"));
+  EXPECT_THAT(html, HasSubstr("<img src=\"a%20%23b.png\" alt=\"As it &quot;stands&quot;.\">"));
   const nlohmann::json words = Unpacked(html, "robot-shown").header["words"];
   EXPECT_EQ(words["joints"], "j");
   EXPECT_EQ(words["parts"].size(), 2u);

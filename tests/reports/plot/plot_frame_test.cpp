@@ -45,5 +45,12 @@ TEST(Ticks, LabelsAreExact) {
   EXPECT_EQ(tick_labels({-1, -0.5}), (std::vector<std::string>{"−1", "−0.5"}));
 }
 
+// gnuplot runs what stands between backquotes, even in quotes, and writes numbers in place of a label's %.
+TEST(Words, AreNoCommandsOfGnuplot) {
+  EXPECT_EQ(gnuplot_quoted("a`b"), "\"a\\140b\"");
+  EXPECT_EQ(gnuplot_quoted("\"c\" \\d\n%"), "\"\\\"c\\\" \\\\d\\n%\"");
+  EXPECT_EQ(gnuplot_tick("50 % `e`", 2), "\"50 %% \\140e\\140\" 2");
+}
+
 }  // namespace
 }  // namespace hbr

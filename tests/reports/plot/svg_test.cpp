@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "pipeline/core/check.h"
 #include "reports/plot/colour.h"
 #include "reports/plot/plot.h"
@@ -35,6 +37,16 @@ TEST(Svg, ColoursFollowThePage) {
   EXPECT_THAT(recolour_for_paper(svg), HasSubstr("stroke='#0072b2' fill=\"#22262b\""));
 }
 
+// Of lines and areas colours can be lighter than of words.
+TEST(Svg, WordsAreDarkEnoughToBeRead) {
+  EXPECT_EQ(hex_of_words(Colour::blue), hex(Colour::blue));
+  for (const Colour colour : {Colour::orange, Colour::vermilion, Colour::sky}) {
+    EXPECT_NE(hex_of_words(colour), hex(colour));
+    EXPECT_THAT(recolour_for_page(hex_of_words(colour)), testing::EndsWith("-words)"));
+    EXPECT_EQ(recolour_for_paper(hex_of_words(colour)), hex_of_words(colour));
+  }
+}
+
 TEST(Plot, TwoPlotsShareNoId) {
   const auto plot = [](const char* prefix) {
     return plot_script(
@@ -65,6 +77,34 @@ TEST(Plot, AxisTakesOutPowersOfTen) {
       "p")})[0];
   EXPECT_THAT(d.body, HasSubstr("10⁻⁴ m²"));
   EXPECT_EQ(d.width, 400);
+}
+
+TEST(Plot, WordsArriveAsTheyAre) {
+  const Drawing d = draw({plot_script(
+      BoxPlot{.unit = "`echo a` %", .boxes = {{"50 % `echo b`", Colour::blue, box({1, 2, 3}, "values"), {}}}},
+      "p")})[0];
+  EXPECT_THAT(d.body, HasSubstr(">`echo a` %<"));
+  EXPECT_THAT(d.body, HasSubstr(">50 % `echo b`<"));
+}
+
+// What has no logarithm stands at the foot of the axis.
+TEST(Plot, LogarithmicAxesHoldAllNumbers) {
+  const std::string text =
+      plot_script(BoxPlot{.unit = "m",
+                          .boxes = {{"a", Colour::blue, box({0, 0, 0}, "values"), {0, 0, 0}},
+                                    {"b", Colour::blue, box({1, 2, 3}, "values"), {}}},
+                          .brackets = {},
+                          .logarithmic = true},
+                  "p")
+          .text;
+  for (const std::string block : {"$b0 << END\n", "$p0 << END\n"}) {
+    const std::size_t begin = text.find(block);
+    ASSERT_NE(begin, std::string::npos) << text;
+    std::istringstream rows(text.substr(begin + block.size()));
+    int numbers = 0;
+    for (double number; rows >> number; ++numbers) EXPECT_GT(number, 0) << block;
+    EXPECT_EQ(numbers, 6) << block;
+  }
 }
 
 TEST(Plot, NothingButZerosCanBeDrawn) {

@@ -49,6 +49,7 @@ TEST(Format, WritesProbabilities) {
 TEST(Format, WritesUnitsThatAreSymbolsOnly) {
   EXPECT_EQ(format_quantity(0.916, "%"), "0.916\u202f%");
   EXPECT_EQ(format_quantity(2.7e-4, "m^2"), "2.70·10⁻⁴\u202fm²");
+  EXPECT_EQ(format_quantity(25.04, "mm"), "25.0\u202fmm");
   EXPECT_EQ(format_quantity(138, "elites"), "138");
   EXPECT_EQ(format_quartiles(1397, 1335, 1520, "elites"), "1\u202f397 [1\u202f335; 1\u202f520]");
 }

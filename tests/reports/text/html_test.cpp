@@ -9,6 +9,11 @@ TEST(Html, EscapesWhatMarkupIsMadeOf) {
   EXPECT_EQ(escape_html("a < b & \"c\" > 'd' é"), "a &lt; b &amp; &quot;c&quot; &gt; &#39;d&#39; é");
 }
 
+TEST(Html, AddressesHoldNothingThatMeansMoreThere) {
+  EXPECT_EQ(escape_url("a/B-1_2.~png"), "a/B-1_2.~png");
+  EXPECT_EQ(escape_url("arm#2 50%?\"é:.png"), "arm%232%2050%25%3F%22%C3%A9%3A.png");
+}
+
 // The vectors of RFC 4648.
 TEST(Html, EncodesBase64) {
   const std::pair<const char*, const char*> cases[] = {{"", ""},
