@@ -1,6 +1,7 @@
 #include "models/descriptor/reconstructing_descriptor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "pipeline/core/check.h"
@@ -27,11 +28,17 @@ void ReconstructingDescriptor::describe(Eigen::Index n, const float* images, flo
     const float* from = images + begin * kImagePixels;
     float* place = position + begin * dimension();
     reconstruct(count, from, place, decoded.data());
-    for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index i = 0; i < count; ++i) {
       error[begin + i] = (Eigen::Map<const Eigen::VectorXf>(from + i * kImagePixels, kImagePixels) -
                           Eigen::Map<const Eigen::VectorXf>(decoded.row(i).data(), kImagePixels))
                              .squaredNorm() /
                          kImagePixels;
+      if (!std::isfinite(error[begin + i]))
+        throw InputError(
+            "the descriptor's reconstruction of an image is so far off that its error is {}; expected values "
+            "about 0 to 1 (onnx: reconstruction_range)",
+            error[begin + i]);
+    }
     std::transform(place, place + count * dimension(), place,
                    [](float z) { return std::clamp(z, -1.f, 1.f); });
   }

@@ -38,7 +38,7 @@ class Rng {
   }
   // Uniform in [0, 1), a multiple of 2^-24: exact in a float.
   float uniform() { return static_cast<float>(bits() >> 8) * 0x1p-24f; }
-  // Uniform in [low, high).
+  // Uniform in [low, high]: the sum may be rounded to its upper end.
   float uniform(float low, float high) { return low + (high - low) * uniform(); }
   // Uniform in [0, 1), a multiple of 2^-53.
   double uniform_double();

@@ -12,8 +12,8 @@ Executor::Executor(const PointLayer& points, const Layer& below, const Decoder& 
   HBR_CHECK(repeats == 1 || !decoder.places(), "genomes that say where they begin do the same every time");
 }
 
-Executor Executor::repeated(int repeats) const {
-  return Executor(points_, below_, decoder_, repeats, way_, starts_);
+Executor Executor::fresh(int repeats) const {
+  return Executor(points_, below_, decoder_, repeats, way_, {starts_.moved, false});
 }
 
 void Executor::start(Eigen::Index begin, int genomes, Seed seed, Executions& executions) const {

@@ -22,8 +22,9 @@ class Executor {
   Executor(const PointLayer& points, const Layer& below, const Decoder& decoder, int repeats, Way way,
            Starts starts = {});
 
-  // The same with another number of executions.
-  Executor repeated(int repeats) const;
+  // The same with as many executions of each genome, from starts that are drawn anew for it even where those
+  // of the search are common: what the search selected on would flatter what it kept.
+  Executor fresh(int repeats) const;
 
   int repeats() const { return repeats_; }
   const Way& way() const { return way_; }

@@ -1,5 +1,6 @@
 #include "pipeline/hierarchy/joints.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -13,7 +14,7 @@ void decode_joints(const Robot& robot, const float* genome, double* joints) {
 Coordinates joint_coordinates(const Robot& robot) {
   Coordinates joints;
   for (Eigen::Index j = 0; j < robot.dof(); ++j)
-    joints.push_back({"joint " + std::to_string(j + 1), "rad", robot.lower()[j], robot.upper()[j]});
+    joints.push_back({"joint " + std::to_string(j + 1), robot.unit(j), robot.lower()[j], robot.upper()[j]});
   return joints;
 }
 
@@ -43,10 +44,13 @@ double few_joints(const double* joints, Eigen::Index dof) {
 
 std::span<const JointCost> joint_costs() {
   static constexpr std::array kCosts = {
-      JointCost{"joint_variance", "that they differ", "the population variance of the joints",
-                joint_variance},
+      JointCost{"joint_variance", "that they differ", "the population variance of the joints", joint_variance,
+                [](double limit, Eigen::Index) { return limit * limit; }},
       JointCost{"few_joints", "that more than two of them move",
-                "the sum of the squares of all joints but the two largest", few_joints},
+                "the sum of the squares of all joints but the two largest", few_joints,
+                [](double limit, Eigen::Index dof) {
+                  return limit * limit * static_cast<double>(std::max<Eigen::Index>(dof - 2, 0));
+                }},
   };
   return kCosts;
 }

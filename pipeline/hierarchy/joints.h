@@ -26,6 +26,7 @@ struct JointCost {
   const char* meaning;
   const char* figure;  // what it is, in rad^2
   double (*of)(const double* joints, Eigen::Index dof);
+  double (*most)(double limit, Eigen::Index dof);  // of joints within [-limit, limit], none costs more
 };
 std::span<const JointCost> joint_costs();
 

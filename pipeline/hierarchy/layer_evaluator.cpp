@@ -1,6 +1,7 @@
 #include "pipeline/hierarchy/layer_evaluator.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "pipeline/core/check.h"
 #include "pipeline/hierarchy/geometric_median.h"
@@ -27,6 +28,7 @@ SampledEvaluator::SampledEvaluator(const Executor& executor, const SampledOutcom
 }
 
 void SampledEvaluator::evaluate(Batch& batch, Eigen::Index begin, Eigen::Index end, Seed seed) const {
+  std::fill(batch.valid.begin() + begin, batch.valid.begin() + end, std::uint8_t{0});
   visit_all(batch.genome, batch.length.data(), begin, end, seed,
             [&](const Executions& executions, const Typical& typical) {
               std::copy_n(typical.descriptor, descriptor_size(), batch.descriptor.row(typical.row).data());
@@ -105,13 +107,14 @@ void SampledEvaluator::visit_executions(const Rows& genomes, Eigen::Index begin,
     const Eigen::Index last = std::min(end, first + block());
     executor_.execute(genomes, nullptr, first, last, seed, executions, possible.data());
     for (Eigen::Index i = first; i < last; ++i)
-      visitor(executions, i, static_cast<int>(i - first) * executor_.repeats());
+      if (possible[i - first]) visitor(executions, i, static_cast<int>(i - first) * executor_.repeats());
   }
 }
 
 void SampledEvaluator::mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
                                     float* out) const {
   const int repeats = executor_.repeats();
+  std::fill(out, out + (end - begin), std::numeric_limits<float>::quiet_NaN());
   visit_executions(genomes, begin, end, seed, [&](const Executions& executions, Eigen::Index row, int first) {
     double sum = 0;
     for (int s = 0; s < repeats; ++s) sum += outcome_.fitness(executions, first + s);

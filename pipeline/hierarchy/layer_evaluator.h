@@ -52,14 +52,16 @@ class SampledEvaluator final : public Evaluator {
     float uncertainty;        // mean distance of the executions to it
   };
   using Visitor = std::function<void(const Executions&, const Typical&)>;
-  // Executes rows [begin, end) of genomes of one length as evaluate() does, and tells of each.
+  // Executes rows [begin, end) of genomes of one length as evaluate() does, and tells of each that asks for
+  // what can be.
   void visit(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
              const Visitor& visitor) const;
-  // Executes rows [begin, end) of genomes of one length, and tells of each the first of its executions.
+  // Executes rows [begin, end) of genomes of one length, and tells of each that asks for what can be the
+  // first of its executions.
   using EachVisitor = std::function<void(const Executions&, Eigen::Index row, int first)>;
   void visit_executions(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed,
                         const EachVisitor& visitor) const;
-  // Mean fitness of the executions of each of these genomes.
+  // Mean fitness of the executions of each of these genomes; NaN of one that asks for what can't be.
   void mean_fitness(const Rows& genomes, Eigen::Index begin, Eigen::Index end, Seed seed, float* out) const;
 
  private:

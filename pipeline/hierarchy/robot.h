@@ -17,9 +17,10 @@ class Robot {
  public:
   virtual ~Robot() = default;
   virtual std::string name() const = 0;
-  // Joint limits in radians [dof]; the number of joints is their size.
+  // Joint limits [dof], rad, or m where a joint slides; the number of joints is their size.
   virtual const Eigen::VectorXd& lower() const = 0;
   virtual const Eigen::VectorXd& upper() const = 0;
+  virtual std::string unit(Eigen::Index /*joint*/) const { return "rad"; }
   // Pen of each configuration: joints [n x dof] in radians, row-major; `pens` has n entries. Thread-safe.
   virtual void pens(Eigen::Index n, const double* joints, Pen* pens) const = 0;
   // How far from the drawing plane a pen may be that draws, m.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/core/check.h"
+#include "pipeline/qd/dimension.h"
 
 namespace hbr::inline qd {
 
@@ -23,7 +24,7 @@ std::size_t GridCells::cell_of(const float* descriptor) const {
   std::size_t index = 0;
   for (int d = 0; d < descriptor_size; ++d) {
     const float c = (descriptor[d] - low) / (high - low) * static_cast<float>(cells);
-    index = index * cells + std::clamp(static_cast<int>(c), 0, cells - 1);
+    index = index * cells + nearest_cell(c, cells);
   }
   return index;
 }

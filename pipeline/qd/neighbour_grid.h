@@ -11,6 +11,7 @@
 #include <limits>
 #include <vector>
 
+#include "pipeline/qd/dimension.h"
 #include "pipeline/qd/elite_store.h"
 
 namespace hbr::inline qd {
@@ -161,10 +162,7 @@ class NeighbourGrid {
     return sum;
   }
 
-  int coordinate(float x) const {
-    const float c = (x - low_) / size_;
-    return c <= 0 ? 0 : std::min(cells_ - 1, static_cast<int>(c));
-  }
+  int coordinate(float x) const { return nearest_cell((x - low_) / size_, cells_); }
   Cell cell_of(const float* point) const {
     Cell c;
     for (int d = 0; d < kGridDims; ++d) c[d] = coordinate(point[d]);

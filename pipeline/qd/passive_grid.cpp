@@ -27,13 +27,20 @@ std::size_t PassiveGrid::filled() const {
 double PassiveGrid::qd_score(double worst) const {
   double sum = 0;
   for (const float best : best_)
-    if (best != kEmpty) sum += static_cast<double>(best) - worst;
+    if (best != kEmpty) {
+      if (best < static_cast<float>(worst))
+        throw InputError("a fitness of {}; expected none below the worst there can be, {}", best, worst);
+      sum += static_cast<double>(best) - worst;
+    }
   return sum;
 }
 
 double PassiveGrid::mean() const {
   HBR_CHECK(filled() > 0, "{} cells, all empty", best_.size());
-  return qd_score(0) / static_cast<double>(filled());
+  double sum = 0;
+  for (const float best : best_)
+    if (best != kEmpty) sum += static_cast<double>(best);
+  return sum / static_cast<double>(filled());
 }
 
 }  // namespace hbr::inline qd

@@ -16,8 +16,8 @@ class PassiveGrid {
   void add(const Elites& elites);
 
   std::size_t filled() const;  // cells with an elite
-  // Sum over the filled cells of the best fitness above `worst`, a fitness that none falls short of: so a
-  // filled cell never counts less than an empty one.
+  // Sum over the filled cells of the best fitness above `worst`, a fitness that none falls short of (else
+  // InputError): so a filled cell never counts less than an empty one.
   double qd_score(double worst) const;
   // Mean over the filled cells of the best fitness; one must be filled.
   double mean() const;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 
+#include "pipeline/hierarchy/joints.h"
 #include "stages/plan/plan.h"
 
 namespace hbr::inline stages {
@@ -27,6 +28,7 @@ void add_comparison(Plan& plan, const std::string& stage, const std::vector<std:
   if (names.empty()) return;
   const LayerRow& first = plan.layer(names.front(), key);
   std::map<std::string, std::string> labels;
+  if (flat) labels.emplace("flat_arcs", flat->name);
   for (const std::string& name : names)
     if (const auto [other, fresh] = labels.emplace(label(name), name); !fresh)
       plan.fail(
@@ -73,10 +75,11 @@ void plan_searches(Plan& plan) {
       plan.add_layer(stage, row, r, plan.arm(), {});
       inputs.emplace_back(fmt::format("{}/{:02}", v.name, r), numbered(stage, r));
     }
-  // Values in [-a, a] have a variance of at most a^2.
-  const double limit = plan.profile().arm.joint_limit;
-  plan.add("searches", "searches", -1,
-           {{"passive_cells", s.passive_cells}, {"worst_fitness", -limit * limit}}, inputs);
+  const ArmTable& arm = plan.profile().arm;
+  const JointCost& cost = named(joint_costs(), row.settings["cost"].get<std::string>(), "cost");
+  const double worst = -cost.most(arm.joint_limit, static_cast<Eigen::Index>(arm.links.size()));
+  plan.add("searches", "searches", -1, {{"passive_cells", s.passive_cells}, {"worst_fitness", worst}},
+           inputs);
 }
 
 void plan_digits(Plan& plan) {
@@ -111,6 +114,13 @@ void plan_numbers(Plan& plan) {
 
 void plan_studies(Plan& plan) {
   const Profile& p = plan.profile();
+  const auto references = std::ranges::count_if(p.accuracy.layers, [&](const std::string& name) {
+    return std::string(plan.layer(name, "accuracy.layers").kind->name) == "lines_from_start";
+  });
+  if (references > 1)
+    plan.fail(fmt::format(
+        "accuracy.layers has {} layers of the kind lines_from_start; expected at most one, the reference",
+        references));
   add_comparison(plan, "accuracy", p.accuracy.layers, "accuracy.layers", {{"requests", p.accuracy.requests}});
   add_comparison(plan, "arc_quality", p.arc_quality.layers, "arc_quality.layers",
                  {{"fresh_starts", p.arc_quality.fresh_starts}}, first_of(plan, "flat_arcs"));

@@ -63,7 +63,7 @@ void write_arc_fitness(Hdf5Writer& file, const std::string& state, int starts, S
                        const StackOnBody& robot, Workers& workers) {
   const int arcs = robot.level("arcs");
   const LayerModel& model = robot.stack.model(arcs);
-  const Executor executor = model.executor()->repeated(starts);
+  const Executor executor = model.executor()->fresh(starts);
   const SampledEvaluator evaluator(executor, arc_outcome(model));
   const Elites& elites = robot.elites[arcs];
   std::vector<float> fitness(static_cast<std::size_t>(elites.size()));

@@ -32,7 +32,7 @@ struct Fresh {
 void execute(const StoredLayer& arcs, std::size_t begin, std::size_t end, int starts, Seed seed,
              Fresh& fresh) {
   const ArcOutcome& outcome = arc_outcome(*arcs.model);
-  const Executor executor = arcs.model->executor()->repeated(starts);
+  const Executor executor = arcs.model->executor()->fresh(starts);
   const SampledEvaluator evaluator(executor, outcome);
   evaluator.visit_executions(arcs.elites.solution, static_cast<Eigen::Index>(begin),
                              static_cast<Eigen::Index>(end), seed,
@@ -76,7 +76,7 @@ void run(StageRun& stage) {
   for (const std::string& input : stage.inputs()) {
     if (input.starts_with("below")) continue;
     StackOnBody none;
-    const bool flat = input.starts_with("flat");
+    const bool flat = input == "flat_arcs";
     const StoredLayer arcs = read_layer(stage, input, flat ? none : below);
     Fresh fresh(arcs.elites.size());
     workers.for_ranges(fresh.fitness.size(), 16, [&](std::size_t begin, std::size_t end) {

@@ -97,7 +97,7 @@ void write_ways(Hdf5Writer& to, const std::string& group, const LayerModel& mode
 void write_executions(Hdf5Writer& to, const std::string& group, const StackOnBody& stack, int level,
                       int repeats, Seed seed) {
   const Elites& elites = stack.elites[level];
-  const Executor executor = stack.stack.model(level).executor()->repeated(repeats);
+  const Executor executor = stack.stack.model(level).executor()->fresh(repeats);
   Executions executions;
   std::vector<std::uint8_t> possible(static_cast<std::size_t>(elites.size()));
   executor.execute(elites.solution, elites.length.empty() ? nullptr : elites.length.data(), 0, elites.size(),

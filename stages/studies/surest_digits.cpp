@@ -18,9 +18,10 @@ void run(hbr::StageRun& stage) {
                                judged.read<float>("hbr/confidence").values};
   const auto& [label, good, confidence] = said;
   const auto n = static_cast<std::size_t>(digits.size());
-  if (label.size() != n || good.size() != n || confidence.size() != n)
-    throw hbr::InputError("{}: judges {} digits; expected the {} of {}; make it again",
-                          judged.path().string(), label.size(), n, stage.name());
+  if (judged.read<std::int64_t>("hbr/id").values != digits.id || label.size() != n || good.size() != n ||
+      confidence.size() != n)
+    throw hbr::InputError("{}: judges other digits than the {} of {}; make it again", judged.path().string(),
+                          n, stage.name());
 
   std::vector<std::uint8_t> shown_label, shown_good;
   std::vector<std::int64_t> id;

@@ -74,6 +74,7 @@ void expect_strokes_of_the_surest(const fs::path& out) {
   label[n - 1] = 2, good[n - 1] = 1, confidence[n - 1] = 0.3f;  // a good 2 comes before surer ones
   label[n - 2] = 2, confidence[n - 2] = 0.9f;
   Hdf5Writer verdicts(out / "made_up.h5");
+  verdicts.write("hbr/id", digits.id);
   verdicts.write("hbr/label", label);
   verdicts.write("hbr/good", good);
   verdicts.write("hbr/confidence", confidence);
@@ -120,7 +121,10 @@ void expect_python_reads(const fs::path& out) {
     fs::remove_all(to);
     return names;
   };
+  // A file of somebody else's is no artifact.
+  std::ofstream(out / "layer4/mine.h5") << "mine";
   EXPECT_THAT(files("layer4"), ElementsAre("layer4/00.csv"));
+  fs::remove(out / "layer4/mine.h5");
   EXPECT_THAT(files("layer2 0"), ElementsAre("layer2_n1/00.csv", "layer2_n10/00.csv", "layer2_n100/00.csv",
                                              "layer2_n10_short/00.csv"));
   for (const auto& [words, why] : {std::pair{"csv to", "FORMAT 'csv': expected pyribs"},

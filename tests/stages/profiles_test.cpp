@@ -130,6 +130,9 @@ TEST(Layers, AreReadStrictly) {
     return std::string("no complaint");
   };
   EXPECT_EQ(complaint(""), "no complaint");
+  EXPECT_THAT(complaint("layers.other = { kind = \"lines_from_start\", below = \"layer1\" }\n"
+                        "accuracy.layers = [\"layer2_n10\", \"reference4d\", \"other\"]"),
+              HasSubstr("accuracy.layers has 2 layers of the kind lines_from_start; expected at most one"));
   EXPECT_THAT(complaint("layers.mine.kind = \"line\""),
               HasSubstr("p.toml:3:13: kind 'line' of layer: expected one of points, lines,"));
   EXPECT_THAT(complaint("layers.mine.below = \"layer1\""), HasSubstr("kind '' of layer: expected one of"));
@@ -253,7 +256,7 @@ TEST_F(Variations, AreReadAsStrictlyAsTheProfile) {
   EXPECT_THAT(complaint(variation("v", "set.defaults.longest_line = 0.256")), HasSubstr("changes nothing"));
   EXPECT_THAT(complaint(variation("v", "set.judge.bumps = 10")), HasSubstr("changes nothing"));
   EXPECT_THAT(complaint(variation("a b", "set.seed = 1")), HasSubstr("expected letters, digits and _"));
-  for (const char* taken : {"layer1", "layer3", "page", "statistics", "all"})
+  for (const char* taken : {"layer1", "layer3", "page", "statistics", "all", "test"})
     EXPECT_THAT(complaint(variation(taken, "set.seed = 1")), HasSubstr("stands twice, or is a stage's"));
   EXPECT_THAT(complaint(variation("v", "set.seed = 1") + variation("v", "set.seed = 2")),
               HasSubstr("'v' stands twice"));

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "pipeline/artifact/repertoire_file.h"
 #include "tests/support/temporary_folder.h"
@@ -57,6 +58,13 @@ TEST(Searches, AreComparedOnOneGrid) {
   EXPECT_THAT(values("a/cell_mean"), ElementsAre(-0.625, -0.5));
   EXPECT_THAT(values("b/coverage"), ElementsAre(DoubleNear(1 / 3.0, 1e-12)));
   EXPECT_THAT(values("b/qd_score"), ElementsAre(1.875));
+
+  write_points(folder.path() / "b0.h5", {{0.9f, 0.3f, -3}});
+  EXPECT_NE(std::system((command + " 2>refused").c_str()), 0);
+  std::ostringstream refused;
+  refused << std::ifstream(folder.path() / "refused").rdbuf();
+  EXPECT_THAT(refused.str(),
+              testing::HasSubstr("a fitness of -3; expected none below the worst there can be, -2"));
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 
+#include "pipeline/core/check.h"
 #include "tests/models/autoencoder/images.h"
 #include "tests/models/descriptor/contract.h"
 #include "tests/support/temporary_folder.h"
@@ -48,6 +50,24 @@ TEST(PrincipalComponents, AreOpenCvs) {
   for (int i = 0; i < n; ++i)
     EXPECT_NEAR(described.error[static_cast<std::size_t>(i)],
                 (images.row(i) - painted.row(i)).squaredNorm() / 784, 1e-6);
+}
+
+// Finite, but the square of its distance from any image is not.
+TEST(ReconstructingDescriptor, RefusesWhatIsFarFromAnImage) {
+  struct Blinding final : ReconstructingDescriptor {
+    Blinding() : ReconstructingDescriptor(2) {}
+    void reconstruct(Eigen::Index n, const float*, float* position, float* decoded) const override {
+      std::fill(position, position + 2 * n, 0.f);
+      std::fill(decoded, decoded + 784 * n, 1e20f);
+    }
+    void write(Hdf5Writer&) const override {}
+  };
+  try {
+    describe(Blinding(), Rows::Zero(1, 784));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("its error is inf; expected values about 0 to 1"));
+  }
 }
 
 TEST(PrincipalComponents, FillTheUnitBox) {

@@ -5,6 +5,7 @@
 
 #include "pipeline/core/check.h"
 #include "pipeline/qd/distance_archive.h"
+#include "pipeline/qd/grid_archive.h"
 #include "tests/pipeline/qd/containers.h"
 #include "tests/pipeline/qd/solutions.h"
 
@@ -113,6 +114,36 @@ TEST_P(ContainerContract, RestoredItGoesOnAsBefore) {
   EXPECT_EQ(a.solution, b.solution);
   EXPECT_EQ(a.measures, b.measures);
   EXPECT_TRUE(std::is_sorted(a.id.begin(), a.id.end()));
+}
+
+// A descriptor belongs to the cell that is nearest to it, however far outside it lies: farther than an int
+// can say. From there all centroids of cvt are as near, and the first of them has it.
+TEST_P(ContainerContract, TakesWhatLiesFarOutside) {
+  std::int64_t id = 0;
+  Slot held = 0;
+  for (const float far : {1e10f, -1e10f}) {
+    const Solution s{{0.5f, 0.5f, 0.5f}, std::vector<float>(static_cast<std::size_t>(d), far), -1, id++};
+    const bool novel = held == 0 || container.name != "cvt";
+    EXPECT_EQ(repertoire->add(s.candidate()).admission, novel ? Admission::kNovel : Admission::kRejected)
+        << far;
+    EXPECT_EQ(repertoire->add(s.candidate()).admission, Admission::kRejected) << far;
+    held += novel;
+  }
+  Solution inside{{0.5f, 0.5f, 0.5f}, std::vector<float>(static_cast<std::size_t>(d), 0.3f), -1, id};
+  inside.descriptor[0] = 0.5f;
+  EXPECT_EQ(repertoire->add(inside.candidate()).slot, held);
+}
+
+TEST(GridCells, HasTheNearestForWhatLiesOutside) {
+  const GridCells cells{2, 10, 0, 1};
+  const auto of = [&](float x, float y) {
+    const float descriptor[2] = {x, y};
+    return cells.cell_of(descriptor);
+  };
+  EXPECT_EQ(of(1e10f, 1e10f), 99u);
+  EXPECT_EQ(of(-1e10f, 3e38f), 9u);
+  EXPECT_EQ(of(1, 0.3f), 93u);
+  EXPECT_EQ(of(0.05f, 0.999f), 9u);
 }
 
 // What would not fit is refused before it is asked for.
