@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "pipeline/artifact/hdf5_file.h"
@@ -43,16 +44,34 @@ class Pooled {
   std::map<std::string, std::vector<double>> values_;
 };
 
+// The joints in the name of a statistic, whose words dots separate: a joint's name without dots and blanks,
+// with a number behind where another joint has that name.
+std::vector<std::string> words_for(const std::vector<std::string>& joints) {
+  std::set<std::string> taken(joints.begin(), joints.end());
+  std::vector<std::string> words;
+  for (const std::string& joint : joints) {
+    std::string plain = joint;
+    std::ranges::replace_if(
+        plain, [](char c) { return c == '.' || c == ' '; }, '_');
+    std::string word = plain;
+    if (word != joint)
+      for (int k = 2; !taken.insert(word).second; ++k) word = fmt::format("{}_{}", plain, k);
+    words.push_back(word);
+  }
+  return words;
+}
+
 // Shares of limits [digits x joints]: the greatest of each digit, and each joint's own.
 void add_loads(Pooled& pooled, const Artifact& artifact, const Hdf5Reader& file, const std::string& player,
                const std::string& load) {
   const Array<float> shares = file.read<float>(player + "/" + load);
   std::vector<std::string> joints;
   std::istringstream names(file.text_attribute(player + ".joints"));
-  for (std::string name; names >> name;) joints.push_back(name);
+  for (std::string name; std::getline(names, name);) joints.push_back(name);
   if (shares.shape.size() != 2 || shares.shape[1] != joints.size() || joints.empty())
     throw InputError("{}: {}/{} does not have a column for each of {} joints", file.path().string(), player,
                      load, joints.size());
+  const std::vector<std::string> words = words_for(joints);
   std::vector<float> greatest(shares.shape[0], 0);
   for (std::size_t k = 0; k < joints.size(); ++k) {
     std::vector<float> own;
@@ -60,7 +79,7 @@ void add_loads(Pooled& pooled, const Artifact& artifact, const Hdf5Reader& file,
       own.push_back(shares.values[i * joints.size() + k]);
       greatest[i] = std::max(greatest[i], own.back());
     }
-    pooled.add(artifact, player + "_" + load + "_of." + joints[k], own, 100);
+    pooled.add(artifact, player + "_" + load + "_of." + words[k], own, 100);
   }
   pooled.add(artifact, player + "_" + load, greatest, 100);
 }

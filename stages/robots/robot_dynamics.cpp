@@ -7,7 +7,6 @@
 
 #include "models/judge/judge.h"
 #include "models/robot/looks/standing.h"
-#include "models/robot/looks/visible_links.h"
 #include "models/robot/plane/drawing_servos.h"
 #include "models/robot/plane/posture_path.h"
 #include "pipeline/artifact/run_settings.h"
@@ -18,6 +17,7 @@
 #include "pipeline/hierarchy/trace.h"
 #include "stages/layers/body.h"
 #include "stages/layers/read_stack.h"
+#include "stages/robots/robot_links.h"
 #include "stages/robots/robot_tasks.h"
 
 namespace hbr::inline stages {
@@ -134,13 +134,14 @@ struct Player {
       file.write(name + "/grip", grip);
       file.write(name + "/tips", tips);
     }
-    file.attribute(name + ".joints", fmt::format("{}", fmt::join(servos.body().moving(), " ")));
+    file.attribute(name + ".joints", fmt::format("{}", fmt::join(servos.body().moving(), "\n")));
   }
 };
 
 // "27 of 27 digits leave the board, by up to 8.6 mm", and so on, where more than a share of them do.
 std::string losses(const Player& player, const std::vector<std::uint8_t>& lost, std::size_t readable,
                    double tolerated) {
+  if (player.off_board.empty()) return "";
   std::vector<std::string> words;
   const auto tell = [&](std::int64_t count, std::size_t all, const std::string& what) {
     if (static_cast<double>(count) > tolerated * static_cast<double>(all))
@@ -162,39 +163,30 @@ std::string losses(const Player& player, const std::vector<std::uint8_t>& lost, 
 // What a robot stands on, if it stands on a link: what touches the floor at rest. Told where it has no sole.
 std::optional<Support> sole(const StageRun& stage, const Body& body, const RobotSettings& robot) {
   if (robot.stands_on.empty()) return {};
-  const auto folder = stage.has_input("meshes") ? stage.input("meshes") : std::filesystem::path(robot.meshes);
-  std::vector<std::string> odd;
-  const auto shapes = visible_links(body.model(), folder, robot.mesh_scale, odd);
-  for (const std::string& line : odd) fmt::print(stderr, "{}: {}\n", robot.name, line);
+  const auto links = robot_links(stage, body.model(), robot);
   try {
-    return Support(shape_corners(body, shapes, body.posture(robot.rest())), kTouching);
+    return Support(shape_corners(body, links, body.posture(robot.rest())), kTouching);
   } catch (const InputError& error) {
     fmt::print(stderr, "{}: no centre of pressure: {}\n", robot.name, error.what());
     return {};
   }
 }
 
-// The movement along configurations, at the profile's pace or, where that asks a joint of one of the bodies
-// for too much, a tenth below the pace that does not, unless that is too slow to be computed.
-JointPath movement_along(const std::vector<double>& joints, const std::vector<float>& pen,
+// The movement along configurations, at the profile's pace or within the limits of the bodies.
+PacedPath movement_along(const std::vector<double>& joints, const std::vector<float>& pen,
                          const DynamicsTable& table, const std::vector<Player*>& players) {
-  std::vector<double> times = times_at_pace(pen, joints, table.pace, table.joint_pace);
+  const std::vector<double> times = times_at_pace(pen, joints, table.pace, table.joint_pace);
   const double longest = kMostSteps * std::min(table.step, table.smoothing);
   if (times.back() > longest)
     throw InputError(
         "dynamics: a digit takes {:.3g} s at pace = {} and joint_pace = {}, more than {:.0e} steps of {} s; "
         "expected a greater pace, step or smoothing",
         times.back(), table.pace, table.joint_pace, kMostSteps, std::min(table.step, table.smoothing));
-  JointPath movement(joints, times, table.smoothing);
-  if (!table.within_limits) return movement;
-  double factor = 1;
+  std::vector<const DrawingServos*> bodies;
   for (const Player* player : players)
-    factor =
-        std::min(factor, 0.9 * player->servos.fastest(movement, table.step * table.control_every).factor);
-  // Standing still may be too much, so that no pace helps.
-  if (factor >= 1 || factor <= 0 || times.back() / factor > longest) return movement;
-  for (double& time : times) time /= factor;
-  return JointPath(joints, times, table.smoothing);
+    if (table.within_limits) bodies.push_back(&player->servos);
+  return path_within_limits(joints, times, table.smoothing, bodies, table.step * table.control_every,
+                            longest);
 }
 
 void run(StageRun& stage) {
@@ -240,15 +232,15 @@ void run(StageRun& stage) {
       const Trace trace = trace_of(*model.executor(), genome, length);
       const std::vector<double> joints =
           s.dynamics.postures == "elites" ? trace.joints : least_travel(robot, stack.stack.points(), trace);
-      const JointPath movement = movement_along(joints, trace.pen, s.dynamics, players);
+      const PacedPath movement = movement_along(joints, trace.pen, s.dynamics, players);
       travel[i] = static_cast<float>(joint_travel(joints, robot.dof()));
       travel_of_elites[i] = static_cast<float>(joint_travel(trace.joints, robot.dof()));
       id[i] = digits.id[static_cast<std::size_t>(replayed[i])];
-      duration[i] = static_cast<float>(movement.duration());
+      duration[i] = static_cast<float>(movement.path.duration());
       model.draw(genome, length, before.data());
       image_to_bytes(before.data(), &before_images[i * kImagePixels]);
       for (Player* player : players) {
-        const Replay played = player->servos.replay(robot.tip(), movement, servos);
+        const Replay played = player->servos.replay(robot.tip(), movement.path, servos);
         player->set(i, played, player->servos.fastest(movement, servos.step * servos.control_every), robot);
         draw_tip(played.tip, s.pencil.width(genome[2]), after);
         player->drawn.set(i, after, before);
@@ -256,8 +248,8 @@ void run(StageRun& stage) {
         draw_tip(played.wanted, s.pencil.width(genome[2]), after);
         wanted_images.set(i, after, before);
       }
-      const JointPath of_elites = movement_along(trace.joints, trace.pen, s.dynamics, {});
-      draw_tip(exact_way(robot, of_elites, servos), s.pencil.width(genome[2]), after);
+      const PacedPath of_elites = movement_along(trace.joints, trace.pen, s.dynamics, {});
+      draw_tip(exact_way(robot, of_elites.path, servos), s.pencil.width(genome[2]), after);
       by_elites.set(i, after, before);
     }
   });

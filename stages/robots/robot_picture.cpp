@@ -5,6 +5,7 @@
 #include "models/robot/plane/plane_file.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/drawing_settings.h"
+#include "stages/robots/robot_links.h"
 
 namespace hbr::inline stages {
 namespace {
@@ -44,14 +45,12 @@ void run(StageRun& stage) {
   const auto settings = settings_from_json<PictureStage>(stage.settings(), stage.name());
   const DrawingPlane plane = load_plane(stage.input("plane"));
   const RobotOnPlane robot = make_robot(settings.robot, plane);
-  const auto folder =
-      stage.has_input("meshes") ? stage.input("meshes") : std::filesystem::path(settings.robot.meshes);
-  const auto meshes = link_meshes(robot.body().model(), folder, settings.robot.mesh_scale);
+  const auto links = robot_links(stage, robot.body().model(), settings.robot);
   const DrawnStroke drawing = read_drawing(stage.input("transfer"), robot);
   const std::size_t last = drawing.pen.size() - 1;
   std::filesystem::create_directories(stage.output());
 
-  const Scene finished = drawing_scene(robot, meshes, drawing, last, settings.half_side);
+  const Scene finished = drawing_scene(robot, links, drawing, last, settings.half_side);
   const Camera front = camera_for(finished, view_from_front(plane), kViewRad, 4. / 5);
   write_png(stage.output() / "posture.png",
             render(finished, front, settings.height * 4 / 5, settings.height));
@@ -61,7 +60,7 @@ void run(StageRun& stage) {
   const Camera shoulder = camera_for(finished, view_over_shoulder(plane), kViewRad, 3. / 4);
   std::vector<cv::Mat> poses;
   for (int i = 0; i < kPoses; ++i) {
-    const Scene scene = drawing_scene(robot, meshes, drawing, last * (i + 1) / kPoses, settings.half_side);
+    const Scene scene = drawing_scene(robot, links, drawing, last * (i + 1) / kPoses, settings.half_side);
     poses.push_back(render(scene, shoulder, pose_width, pose_height));
     stage.progress(i + 1, kPoses, "poses");
   }

@@ -5,6 +5,7 @@
 #include "pipeline/artifact/stage.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "stages/layers/body.h"
+#include "stages/robots/robot_links.h"
 #include "stages/robots/robot_tasks.h"
 #include "stages/robots/shape_file.h"
 
@@ -36,8 +37,7 @@ Shown shown(const StageRun& stage, const nlohmann::json& body) {
   }
   const auto table = settings_from_json<RobotSettings>(body.at("robot"), stage.name() + ": body.robot");
   RobotOnPlane robot = make_robot(table, load_plane(stage.input("plane")));
-  const auto folder = stage.has_input("meshes") ? stage.input("meshes") : std::filesystem::path(table.meshes);
-  auto meshes = link_meshes(robot.body().model(), folder, table.mesh_scale);
+  auto meshes = robot_links(stage, robot.body().model(), table);
   return {std::move(robot), std::move(meshes)};
 }
 

@@ -78,7 +78,7 @@ void write_shape(Hdf5Writer& file, const Body& body, const RobotShape& shape) {
   const auto write = [&](const std::string& name, const Eigen::VectorXd& values) {
     file.write(name, std::vector<double>(values.begin(), values.end()));
   };
-  file.attribute("joints", fmt::format("{}", fmt::join(body.moving(), " ")));
+  file.attribute("joints", fmt::format("{}", fmt::join(body.moving(), "\n")));
   write("joint/lower", body.lower());
   write("joint/upper", body.upper());
   file.attribute("deviation", shape.deviation);

@@ -57,17 +57,19 @@ std::pair<std::string, double> placed(const std::string& word) {
 void keep_within_limits(const RobotModel& model, std::map<std::string, double>& pose,
                         std::vector<std::string>& odd) {
   for (auto& [name, position] : pose) {
-    const Joint& joint = model.joints[static_cast<std::size_t>(model.joint(name))];
+    const int index = model.joint(name);
+    const Joint& joint = model.joints[index];
     if (joint.kind == Joint::Kind::fixed)
       throw InputError("POSE: joint '{}' is fixed; expected one that moves", name);
     if (joint.mimic >= 0)
       throw InputError("POSE: joint '{}' follows joint '{}'; expected that one", name,
                        model.joints[joint.mimic].name);
-    if (joint.kind == Joint::Kind::continuous) position = std::remainder(position, 2 * M_PI);
-    if (position < joint.lower || position > joint.upper)
+    position = joint.within_a_turn(position);
+    const auto [lower, upper] = model.range(index);
+    if (position < lower || position > upper)
       odd.push_back(
           fmt::format("joint '{}' can't stand at {}: it moves in [{:.3f}, {:.3f}] and is shown at its limit",
-                      name, position, joint.lower, joint.upper));
+                      name, position, lower, upper));
   }
 }
 

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { dirname, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
 import { Browser } from "./browser.mjs";
 
 const file = resolve(process.argv[2]), html = readFileSync(file, "utf8"), kView = "document.getElementById('robot').view";
@@ -10,7 +11,7 @@ try {
   const page = await browser.page();
   await page.size(1200, 900);
   await page.media({ "prefers-color-scheme": "light", "prefers-reduced-motion": "no-preference" });
-  await page.go("file://" + file, "document.readyState === 'complete'");
+  await page.go(pathToFileURL(file).href, "document.readyState === 'complete'");
   assert.ok(await page.evaluate("[...document.images].every((image) => image.naturalWidth > 100)"), "a picture is missing");
   if (html.includes('id="pack-three"')) {
     await page.holds(`Boolean(${kView})`);
@@ -27,19 +28,20 @@ try {
       ranges[last].dispatchEvent(new Event("input"));
       const after = view.body.frames(view.joints), shown = view.scene.parts.map((part) => part.matrix.toArray());
       const asked = after.map((f) => [0, 4, 8].map((row) => f[row + 3]));
-      return { joints: ranges.length, want: view.body.joints.split(" ").length, value: view.joints[last], upper: view.body.upper[last],
+      return { joints: ranges.length, want: view.body.lower.length, told: ranges[last].getAttribute("aria-valuetext"), value: view.joints[last], upper: view.body.upper[last],
         kept: view.joints.slice(0, last).every((value, k) => value === view.rest[k]),
         moves: JSON.stringify(before) !== JSON.stringify(after),
         placed: shown.every((m, k) => [12, 13, 14].every((at, axis) => Math.abs(m[at] - asked[k][axis]) < 1e-9)) };
     })()`);
     assert.equal(moved.joints, moved.want);
+    assert.match(moved.told, / (m|rad)$/);
     assert.ok(Math.abs(moved.value - moved.upper) < 1e-9 && moved.kept && moved.moves && moved.placed, JSON.stringify(moved));
     await page.evaluate("document.querySelector('[data-robot=reset]').click()");
     assert.ok(await page.evaluate(`${kView}.joints.every((value, k) => value === ${kView}.rest[k])`), "Reset does not");
   } else {
     assert.ok(html.includes("three.js could not be had"));
   }
-  const strange = page.requests.filter((url) => !url.startsWith("file://" + dirname(file) + "/") && !/^(blob|data):/.test(url));
+  const strange = page.requests.filter((url) => !url.startsWith(pathToFileURL(dirname(file)).href + "/") && !/^(blob|data):/.test(url));
   assert.deepEqual(strange, [], "asks for what is elsewhere");
   assert.deepEqual(page.faults, [], "the console says");
 } finally {

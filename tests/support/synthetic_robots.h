@@ -1,6 +1,8 @@
 // Artifacts of other robots, as of an experiment that never ran.
 #pragma once
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -48,8 +50,9 @@ class SyntheticRobots : public SyntheticLayers {
     }
   }
 
-  // Two joints, one of them loaded twice as much as the other.
-  void dynamics(const std::string& robot, int n) {
+  // Of its joints the second is loaded twice as much as the first, the third three times.
+  void dynamics(const std::string& robot, int n,
+                const std::vector<std::string>& joints = {"Shoulder", "Elbow"}) {
     const auto rows = static_cast<std::size_t>(n);
     for (int r = 0; r < replications_; ++r) {
       Rng rng(Seed(8).child(static_cast<std::uint64_t>(r)));
@@ -85,10 +88,11 @@ class SyntheticRobots : public SyntheticLayers {
         file.write(player + "/off_plane", around(3e-3f));
         file.write(player + "/faster", around(3));
         for (const char* load : {"torque", "speed"}) {
-          Array<float> shares{{rows, 2}, {}};
+          Array<float> shares{{rows, joints.size()}, {}};
           for (int i = 0; i < n; ++i) {
             const float share = rng.uniform(0.1f, 0.3f);
-            shares.values.insert(shares.values.end(), {share, 2 * share});
+            for (std::size_t k = 1; k <= joints.size(); ++k)
+              shares.values.push_back(static_cast<float>(k) * share);
           }
           file.write(player + "/" + load, shares);
         }
@@ -97,7 +101,7 @@ class SyntheticRobots : public SyntheticLayers {
           file.write("whole/grip", around(0.1f));
           file.write("whole/tips", every(3));
         }
-        file.attribute(player + ".joints", std::string("Shoulder Elbow"));
+        file.attribute(player + ".joints", fmt::format("{}", fmt::join(joints, "\n")));
       }
       file.close();
     }

@@ -65,9 +65,9 @@ Body::Body(RobotModel model, std::vector<std::string> moving, const std::map<std
       tree_(std::make_unique<MotionTree>(model_, *plan_, plan_->ground, plan_->pose, lower_.size())),
       pool_(std::make_unique<Pool>()) {
   for (std::size_t i = 0; i < moving_.size(); ++i) {
-    const Joint& joint = model_.joints[model_.joint(moving_[i])];
-    lower_[static_cast<Eigen::Index>(i)] = joint.lower;
-    upper_[static_cast<Eigen::Index>(i)] = joint.upper;
+    const auto [lower, upper] = model_.range(model_.joint(moving_[i]));
+    lower_[static_cast<Eigen::Index>(i)] = lower;
+    upper_[static_cast<Eigen::Index>(i)] = upper;
   }
   plan_->impossible = impossible(model_, *plan_, 0);
   try {
@@ -95,8 +95,10 @@ void Body::stand_on(int link, const std::map<std::string, double>& rest) {
 Eigen::VectorXd Body::posture(const std::map<std::string, double>& rest) const {
   Eigen::VectorXd result(dof());
   for (Eigen::Index i = 0; i < dof(); ++i) {
-    const auto given = rest.find(moving_[static_cast<std::size_t>(i)]);
-    result[i] = std::clamp(given == rest.end() ? 0 : given->second, lower_[i], upper_[i]);
+    const Joint& joint = model_.joints[model_.joint(moving_[static_cast<std::size_t>(i)])];
+    const auto given = rest.find(joint.name);
+    result[i] =
+        std::clamp(given == rest.end() ? 0 : joint.within_a_turn(given->second), lower_[i], upper_[i]);
   }
   return result;
 }

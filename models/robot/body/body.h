@@ -26,9 +26,9 @@ class Body {
  public:
   // `moving` names the joints that are coordinates, in this order; they may not be fixed or follow another.
   // Joints that follow one of them move with it. Every other joint is locked where `rest` says (rad or m), at
-  // 0 without a word there, brought within its limits. Throws InputError for unknown or unfit joints. The
-  // link `ground` stands still, where it is in the posture `rest`;
-  // "": the root link.
+  // 0 without a word there, brought within its range (RobotModel::range) and, where it turns without end,
+  // within half a turn of 0. Throws InputError for unknown or unfit joints. The link `ground` stands still,
+  // where it is in the posture `rest`; "": the root link.
   Body(RobotModel model, std::vector<std::string> moving, const std::map<std::string, double>& rest = {},
        const std::string& ground = "");
   ~Body();
@@ -37,11 +37,12 @@ class Body {
 
   const RobotModel& model() const { return model_; }
   const std::vector<std::string>& moving() const { return moving_; }
-  const Eigen::VectorXd& lower() const { return lower_; }  // [dof], rad or m
+  // Of each moving joint its range [dof], rad or m.
+  const Eigen::VectorXd& lower() const { return lower_; }
   const Eigen::VectorXd& upper() const { return upper_; }
   Eigen::Index dof() const { return lower_.size(); }
 
-  // The moving joints where `rest` has them, at 0 without a word there, within their limits [dof].
+  // The moving joints where `rest` has them, as above [dof].
   Eigen::VectorXd posture(const std::map<std::string, double>& rest) const;
 
   // The whole robot's, kg; and its centre in the root link's frame, m. joints [dof].

@@ -15,7 +15,7 @@ Chain chain_to(const RobotModel& model, int link) {
   std::vector<int> joints;
   for (int at = link; model.links[at].joint >= 0; at = model.joints[model.links[at].joint].parent)
     joints.push_back(model.links[at].joint);
-  Chain chain{model.links[link].name, {}, {}, {}};
+  Chain chain{model.links[link].name, {}, {}, {}, {}};
   Eigen::Isometry3d fixed = Eigen::Isometry3d::Identity();
   for (std::size_t k = joints.size(); k-- > 0;) {
     const Joint& joint = model.joints[joints[k]];
@@ -23,10 +23,14 @@ Chain chain_to(const RobotModel& model, int link) {
       fixed = fixed * joint.origin;
       continue;
     }
-    const Joint* leader = joint.mimic < 0 ? &joint : &model.joints[joint.mimic];
+    const int leading = joint.mimic < 0 ? joints[k] : joint.mimic;
+    const Joint* leader = &model.joints[leading];
     const auto known = std::ranges::find(chain.leaders, leader);
     chain.steps.push_back({fixed, &joint, static_cast<int>(known - chain.leaders.begin())});
-    if (known == chain.leaders.end()) chain.leaders.push_back(leader);
+    if (known == chain.leaders.end()) {
+      chain.leaders.push_back(leader);
+      chain.ranges.push_back(model.range(leading));
+    }
     fixed.setIdentity();
   }
   chain.tip = fixed.translation();
@@ -35,8 +39,7 @@ Chain chain_to(const RobotModel& model, int link) {
 
 Coordinates random_posture(const Chain& chain, Rng& rng) {
   Coordinates at;
-  for (const Joint* leader : chain.leaders)
-    at.push_back(std::lerp(leader->lower, leader->upper, rng.uniform_double()));
+  for (const auto& [lower, upper] : chain.ranges) at.push_back(std::lerp(lower, upper, rng.uniform_double()));
   return at;
 }
 
@@ -94,19 +97,18 @@ class Climb {
     Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
     for (std::size_t i = 0; i < chain_.steps.size(); ++i) {
       const Chain::Step& step = chain_.steps[i];
-      const Joint &joint = *step.joint, &leader = *chain_.leaders[step.coordinate];
+      const Joint& joint = *step.joint;
+      const auto [lower, upper] = chain_.ranges[step.coordinate];
       if (steps_of_[step.coordinate].size() > 1) {
         if (steps_of_[step.coordinate][0] == i) {
           move_together(step.coordinate);
           tip = tips();
         }
       } else if (joint.multiplier != 0) {
-        const double a = joint.multiplier * leader.lower + joint.offset,
-                     b = joint.multiplier * leader.upper + joint.offset;
+        const double a = joint.multiplier * lower + joint.offset, b = joint.multiplier * upper + joint.offset;
         const double position = farthest_position(joint, (frame * step.before).inverse() * base_, tip[i],
                                                   std::min(a, b), std::max(a, b));
-        at_[step.coordinate] =
-            std::clamp((position - joint.offset) / joint.multiplier, leader.lower, leader.upper);
+        at_[step.coordinate] = std::clamp((position - joint.offset) / joint.multiplier, lower, upper);
       }
       frame = frame * Chain::motion(step, at_);
     }
@@ -115,18 +117,18 @@ class Climb {
 
   // A coordinate of several joints: the best of some positions, then nearer and nearer around it.
   void move_together(int coordinate) {
-    const Joint& leader = *chain_.leaders[coordinate];
+    const double lower = chain_.ranges[coordinate].first, upper = chain_.ranges[coordinate].second;
     double& at = at_[coordinate];
     double farthest = (chain_.tip_at(at_) - base_).norm(), best = at;
     const auto attempt = [&](double position) {
-      at = std::clamp(position, leader.lower, leader.upper);
+      at = std::clamp(position, lower, upper);
       const double distance = (chain_.tip_at(at_) - base_).norm();
       if (distance > farthest) farthest = distance, best = at;
     };
     constexpr int kPositions = 32;
     for (int k = 0; k <= kPositions; ++k)
-      attempt(std::lerp(leader.lower, leader.upper, k / static_cast<double>(kPositions)));
-    for (double off = (leader.upper - leader.lower) / kPositions; off > 1e-9; off /= 2)
+      attempt(std::lerp(lower, upper, k / static_cast<double>(kPositions)));
+    for (double off = (upper - lower) / kPositions; off > 1e-9; off /= 2)
       for (const double sign : {-1., 1.}) attempt(best + sign * off);
     at = best;
   }
@@ -159,7 +161,7 @@ std::vector<Chain> chains_of(const RobotModel& model) {
 
 double farthest_reach(const Chain& chain, int starts) {
   Coordinates zero;  // where many a robot is straight
-  for (const Joint* leader : chain.leaders) zero.push_back(std::clamp(0., leader->lower, leader->upper));
+  for (const auto& [lower, upper] : chain.ranges) zero.push_back(std::clamp(0., lower, upper));
   double farthest = Climb(chain, zero).top();
   Rng rng(Seed(1).child(chain.link));
   for (int start = 0; start < starts; ++start)

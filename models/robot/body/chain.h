@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/robot/description/robot_model.h"
@@ -20,6 +21,7 @@ struct Chain {
   std::vector<Step> steps;            // from the root on, whose frame the first is in; at least one
   Eigen::Vector3d tip;                // the link's origin in the frame of what the last step moves
   std::vector<const Joint*> leaders;  // of each coordinate: the joint by itself that it is the position of
+  std::vector<std::pair<double, double>> ranges;  // of these (RobotModel::range)
 
   // Where what a step moves stands in the frame of the step before.
   static Eigen::Isometry3d motion(const Step& step, const std::vector<double>& coordinates) {

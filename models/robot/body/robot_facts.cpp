@@ -73,9 +73,11 @@ std::vector<std::string> oddities(const RobotModel& model, double size) {
     const Joint& leader = model.joints[joint.mimic];
     const auto [low, high] = std::minmax(
         {joint.multiplier * leader.lower + joint.offset, joint.multiplier * leader.upper + joint.offset});
+    const auto [from, to] = model.range(joint.mimic);
     if (low < joint.lower - 1e-3 || high > joint.upper + 1e-3)
-      add("joint '{}' follows '{}' to [{:.3f}, {:.3f}], beyond its own limits [{:.3f}, {:.3f}]", joint.name,
-          leader.name, low, high, joint.lower, joint.upper);
+      add("joint '{}' follows '{}' to [{:.3f}, {:.3f}], beyond its own limits [{:.3f}, {:.3f}]: "
+          "'{}' moves in [{:.3f}, {:.3f}]",
+          joint.name, leader.name, low, high, joint.lower, joint.upper, leader.name, from, to);
   }
   for (const Link& link : model.links) {
     if (!link.inertial) continue;

@@ -1,6 +1,8 @@
 #include "models/robot/description/find_mesh.h"
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -17,11 +19,28 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+// "a b" of "a%20b".
+std::string decoded(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    unsigned code = 0;
+    if (uri[i] == '%' && i + 2 < uri.size()) {
+      const char* const digits = uri.data() + i + 1;
+      if (std::from_chars(digits, digits + 2, code, 16).ptr != digits + 2) code = 0;
+    }
+    text += code ? static_cast<char>(code) : uri[i];
+    if (code) i += 2;
+  }
+  return text;
+}
+
 // The name without "scheme://", as a path of this system.
 fs::path path_part(std::string name) {
   std::ranges::replace(name, '\\', '/');
   const std::size_t scheme = name.find("://");
-  return scheme == std::string::npos ? name : name.substr(scheme + 3);
+  if (scheme == std::string::npos) return name;
+  const std::string path = name.substr(scheme + 3);
+  return name.starts_with("file:") ? decoded(path) : path;
 }
 
 // "a/b/c", "b/c" and "c".
@@ -81,18 +100,20 @@ fs::path near(const fs::path& urdf, const fs::path& name) {
 
 // Other files that a mesh names: an OBJ its materials, a glTF its buffers.
 std::vector<fs::path> named_by(const fs::path& mesh) {
+  std::string ending = mesh.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   std::vector<fs::path> names;
   std::ifstream file(mesh, std::ios::binary);
-  if (mesh.extension() == ".obj") {
+  if (ending == ".obj") {
     constexpr std::string_view kKey = "mtllib ";
     for (std::string line; std::getline(file, line);)
       if (line.starts_with(kKey)) names.emplace_back(line.substr(kKey.size(), line.find('\r') - kKey.size()));
-  } else if (mesh.extension() == ".gltf") {
+  } else if (ending == ".gltf") {
     const nlohmann::json all = nlohmann::json::parse(file, nullptr, false);
     if (all.is_object() && all.contains("buffers") && all["buffers"].is_array())
       for (const nlohmann::json& buffer : all["buffers"])
         if (buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string())
-          names.emplace_back(buffer["uri"].get<std::string>());
+          names.emplace_back(decoded(buffer["uri"].get<std::string>()));
   }
   std::vector<fs::path> found;
   for (const fs::path& name : names)

@@ -29,11 +29,12 @@ std::vector<int> coordinates(const RobotModel& model, const std::vector<std::str
   return result;
 }
 
-double rest_position(const RobotModel& model, const Joint& joint, const std::map<std::string, double>& rest) {
-  if (joint.mimic >= 0)
-    return joint.multiplier * rest_position(model, model.joints[joint.mimic], rest) + joint.offset;
+double rest_position(const RobotModel& model, int index, const std::map<std::string, double>& rest) {
+  const Joint& joint = model.joints[index];
+  if (joint.mimic >= 0) return joint.multiplier * rest_position(model, joint.mimic, rest) + joint.offset;
   const auto given = rest.find(joint.name);
-  return std::clamp(given == rest.end() ? 0 : given->second, joint.lower, joint.upper);
+  const auto [lower, upper] = model.range(index);
+  return std::clamp(given == rest.end() ? 0 : joint.within_a_turn(given->second), lower, upper);
 }
 
 // The inertia that a mass in one point has about the origin.
@@ -84,7 +85,8 @@ Parts join_parts(const RobotModel& model, const std::vector<std::string>& moving
         place.part = static_cast<int>(result.parts.size());
         result.parts.push_back(part);
       } else {
-        place = {parent.part, parent.pose * joint.motion(rest_position(model, joint, rest))};
+        place = {parent.part,
+                 parent.pose * joint.motion(rest_position(model, static_cast<int>(i) - 1, rest))};
       }
     }
     if (model.links[i].inertial) add_mass(result.parts[place.part], *model.links[i].inertial, place.pose);

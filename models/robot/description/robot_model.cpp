@@ -2,6 +2,10 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "pipeline/core/check.h"
 
 namespace hbr::inline robots {
@@ -26,10 +30,27 @@ Eigen::Isometry3d Joint::motion(double position) const {
   return result;
 }
 
+double Joint::within_a_turn(double position) const {
+  return kind == Kind::continuous ? std::remainder(position, 2 * std::numbers::pi) : position;
+}
+
 int RobotModel::link(const std::string& link_name) const { return find(*this, links, "link", link_name); }
 
 int RobotModel::joint(const std::string& joint_name) const {
   return find(*this, joints, "joint", joint_name);
+}
+
+std::pair<double, double> RobotModel::range(int joint_index) const {
+  std::pair<double, double> result(joints[joint_index].lower, joints[joint_index].upper);
+  for (const Joint& follower : joints) {
+    if (follower.mimic != joint_index || follower.multiplier == 0 || follower.kind == Joint::Kind::continuous)
+      continue;
+    const auto [low, high] = std::minmax({(follower.lower - follower.offset) / follower.multiplier,
+                                          (follower.upper - follower.offset) / follower.multiplier});
+    const double lower = std::max(result.first, low), upper = std::min(result.second, high);
+    if (lower < upper) result = {lower, upper};
+  }
+  return result;
 }
 
 std::vector<std::string> RobotModel::independent_joints() const {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hbr::inline robots {
@@ -51,6 +52,8 @@ struct Joint {
 
   // The child's frame in the parent's when the joint stands at `position`.
   Eigen::Isometry3d motion(double position) const;
+  // The same place within half a turn of 0, for a continuous joint; else the position itself.
+  double within_a_turn(double position) const;
 };
 
 struct RobotModel {
@@ -63,6 +66,9 @@ struct RobotModel {
   // Throw InputError, with a list of what there is, for an unknown name.
   int link(const std::string& link_name) const;
   int joint(const std::string& joint_name) const;
+  // The least and the greatest position of a joint, by its index: its limits, narrowed so that joints that
+  // follow it stay within theirs. A follower whose limits leave the joint no room to move does not count.
+  std::pair<double, double> range(int joint_index) const;
   // Joints that move and follow no other, in the order of `joints`.
   std::vector<std::string> independent_joints() const;
 };

@@ -65,6 +65,18 @@ void read_limits(UrdfText& text, const XMLElement& element, Joint& joint) {
   joint.upper = std::numbers::pi;
 }
 
+// A URDF has one number for each, which simulators take differently; a profile says what is meant.
+void tell_of_friction(UrdfText& text, const XMLElement& joint) {
+  const XMLElement* dynamics = joint.FirstChildElement("dynamics");
+  for (const char* attribute : {"damping", "friction"}) {
+    const char* value = dynamics ? dynamics->Attribute(attribute) : nullptr;
+    if (!value || numbers_in(value) == std::vector<double>{0}) continue;
+    text.odd(*dynamics,
+             "is left out; friction and play of joints that draw are told in a profile, in [[robots.gears]]");
+    return;
+  }
+}
+
 // Has a follower follow what moves by itself, or stands still, at the end of the chain of those that it
 // follows.
 void follow_to_the_end(const UrdfText& text, const XMLElement& element, const std::vector<Joint>& joints,
@@ -102,6 +114,7 @@ Joint read_joint(UrdfText& text, const XMLElement& element) {
   }
   joint.axis = direction.normalized();
   read_limits(text, element, joint);
+  tell_of_friction(text, element);
   return joint;
 }
 

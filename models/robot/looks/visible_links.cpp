@@ -34,7 +34,7 @@ std::vector<std::vector<Mesh>> visible_links(const RobotModel& model, const std:
       meshes[i] = visual_meshes(model, model.links[i], folder, scale);
     } catch (const InputError& error) {
       lost[i] = true;
-      if (++failed == 1) odd.emplace_back(error.what());
+      if (++failed == 1) odd.push_back(fmt::format("{}; drawn as rods", error.what()));
       continue;
     }
     for (const Visual& visual : model.links[i].visuals) {

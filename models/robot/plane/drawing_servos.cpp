@@ -66,9 +66,20 @@ DrawingServos::DrawingServos(std::shared_ptr<const Body> body, const RobotSettin
   }
 }
 
+PacedPath path_within_limits(const std::vector<double>& joints, std::vector<double> times, double smoothing,
+                             const std::vector<const DrawingServos*>& bodies, double every, double longest) {
+  PacedPath movement{JointPath(joints, times, smoothing)};
+  double pace = 1;
+  for (const DrawingServos* body : bodies) pace = std::min(pace, 0.9 * body->fastest(movement, every).factor);
+  // Standing still may be too much, so that no pace helps.
+  if (pace >= 1 || pace <= 0 || times.back() / pace > longest) return movement;
+  for (double& time : times) time /= pace;
+  return {JointPath(joints, times, smoothing), pace};
+}
+
 std::shared_ptr<const Body> whole_body(const RobotModel& model, const RobotSettings& robot, double lightest) {
   const std::vector<std::string> joints = joints_with_inertia(model, robot.rest(), lightest);
-  if (joints.size() == robot.joints.size() && robot.stands_on.empty()) return nullptr;
+  if (std::ranges::is_permutation(joints, robot.joints) && robot.stands_on.empty()) return nullptr;
   return std::make_shared<const Body>(model, joints, robot.rest(), robot.stands_on);
 }
 

@@ -1,6 +1,7 @@
 // The servos of a body that replays what a robot draws.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,6 +25,12 @@ std::vector<float> pen_of(const std::vector<Eigen::Vector3d>& tip, const Drawing
 std::vector<Eigen::Vector3d> exact_way(const RobotOnPlane& robot, const JointPath& movement,
                                        const ServoSettings& servos);
 
+// A movement, and its pace over the one that was asked for.
+struct PacedPath {
+  JointPath path;
+  double pace = 1;
+};
+
 class DrawingServos {
  public:
   // Of the robot's table the joints that draw, and the posture in which the body's others hold; what the
@@ -38,8 +45,11 @@ class DrawingServos {
     return hbr::replay(*body_, tip, path, drawing_, posture_, servos,
                        {gears_, support_ ? &*support_ : nullptr});
   }
-  Fastest fastest(const JointPath& path, double every) const {
-    return hbr::fastest(*body_, path, drawing_, posture_, every);
+  // Over the pace that was asked for.
+  Fastest fastest(const PacedPath& movement, double every) const {
+    Fastest result = hbr::fastest(*body_, movement.path, drawing_, posture_, every);
+    result.factor = std::min(kFastest, movement.pace * result.factor);
+    return result;
   }
 
  private:
@@ -49,6 +59,12 @@ class DrawingServos {
   Gears gears_;
   std::optional<Support> support_;
 };
+
+// The movement through configurations at these times (see JointPath) or, where that asks a joint of one of
+// the bodies for too much, a tenth below the pace that does not, unless it then takes longer than `longest`,
+// s. Looks at every so many seconds.
+PacedPath path_within_limits(const std::vector<double>& joints, std::vector<double> times, double smoothing,
+                             const std::vector<const DrawingServos*>& bodies, double every, double longest);
 
 // The robot with all joints that move at least that inertia, kg m^2, on the link that it stands on; none
 // where those that draw are all that there is.

@@ -32,7 +32,8 @@ class BoundAngle {
 
 Pose pose_of(const DrawingPlane& plane) {
   // Of u, which is level, so that the azimuth is there also for a plane that is seen from above.
-  const double azimuth = std::atan2(plane.u[0], -plane.u[1]), elevation = -std::asin(plane.normal()[2]);
+  const double azimuth = std::atan2(plane.u[0], -plane.u[1]),
+               elevation = -std::asin(std::clamp(plane.normal()[2], -1., 1.));
   Pose pose;
   pose << plane.origin, azimuth, elevation, std::log(plane.scale);
   return pose;

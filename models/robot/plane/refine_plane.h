@@ -17,7 +17,7 @@ using Postures = std::vector<Eigen::VectorXd>;
 // the squared distances between `points` (drawing frame, m) on the plane and the tip's reach beside the board
 // becomes least, and nothing of the board lies below the floor; the plane's start is a weak prior (an eighth
 // of the drawing's radius, 0.1 rad, 0.5 % of the scale weigh as much as a root mean square distance of 1/3000
-// of the radius). The drawing stays upright (see DrawingPlane::facing), leans by at most 10 degrees more or
+// of the radius). The drawing stays upright (see DrawingPlane::facing), leans by at most 5 degrees more or
 // less, and is of the kind that is asked for. The start must be such a plane.
 Board refine_plane(const Board& start, const BoardRules& rules, const Reach& reach,
                    const std::vector<Eigen::Vector2d>& points, Workers& workers, Postures postures = {});

@@ -5,6 +5,20 @@
 #include "pipeline/core/check.h"
 
 namespace hbr::inline robots {
+namespace {
+
+void refuse_rest_beyond_limits(const RobotSettings& settings, const RobotModel& model) {
+  for (const auto& [name, position] : settings.rest()) {
+    const int at = model.joint(name);
+    const double stands = model.joints[at].within_a_turn(position);
+    const auto [lower, upper] = model.range(at);
+    if (stands < lower || stands > upper)
+      throw InputError("robot '{}': rest_positions has joint '{}' at {}; expected {} to {}, its limits in {}",
+                       settings.name, name, position, lower, upper, model.path.string());
+  }
+}
+
+}  // namespace
 
 RobotOnPlane::RobotOnPlane(std::string name, std::shared_ptr<const Body> body, const std::string& tip,
                            const DrawingPlane& plane, double off_plane_tolerance)
@@ -27,6 +41,12 @@ RobotOnPlane::RobotOnPlane(std::string name, std::shared_ptr<const Body> body, c
           name_, body_->moving()[i], body_->lower()[i]);
 }
 
+std::string RobotOnPlane::unit(Eigen::Index joint) const {
+  const RobotModel& model = body_->model();
+  const int at = model.joint(body_->moving()[static_cast<std::size_t>(joint)]);
+  return model.joints[at].kind == Joint::Kind::prismatic ? "m" : "rad";
+}
+
 void RobotOnPlane::pens(Eigen::Index n, const double* joints, Pen* pens) const {
   std::vector<Eigen::Vector3d> hands(n);
   body_->positions(tip_, n, joints, hands.data());
@@ -35,7 +55,9 @@ void RobotOnPlane::pens(Eigen::Index n, const double* joints, Pen* pens) const {
 
 RobotOnPlane make_robot(const RobotSettings& settings, const DrawingPlane& plane) {
   if (settings.joints.empty()) throw InputError("robot '{}': no joints to draw with", settings.name);
-  auto body = std::make_shared<const Body>(load_urdf(settings.urdf), settings.joints, settings.rest());
+  RobotModel model = load_urdf(settings.urdf);
+  refuse_rest_beyond_limits(settings, model);
+  auto body = std::make_shared<const Body>(std::move(model), settings.joints, settings.rest());
   return RobotOnPlane(settings.name, std::move(body), settings.tip_link, plane, settings.off_plane_tolerance);
 }
 

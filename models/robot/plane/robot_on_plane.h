@@ -21,6 +21,7 @@ class RobotOnPlane final : public Robot {
   std::string name() const override { return name_; }
   const Eigen::VectorXd& lower() const override { return body_->lower(); }
   const Eigen::VectorXd& upper() const override { return body_->upper(); }
+  std::string unit(Eigen::Index joint) const override;
   // Positions in metres of the arm, off_plane in metres of the robot (positive on the robot's side).
   void pens(Eigen::Index n, const double* joints, Pen* pens) const override;
 
@@ -43,7 +44,8 @@ class RobotOnPlane final : public Robot {
   std::shared_ptr<const Clearance> clearance_;
 };
 
-// The robot of a profile's table on that plane: its drawing joints move, all others rest.
+// The robot of a profile's table on that plane: its drawing joints move, all others rest. Throws InputError
+// where one of them can't stand where the table has it.
 RobotOnPlane make_robot(const RobotSettings& settings, const DrawingPlane& plane);
 
 }  // namespace hbr::inline robots

@@ -62,6 +62,10 @@ std::vector<Eigen::VectorXd> straightened(const RobotOnPlane& robot,
                                           const std::vector<Eigen::Vector3d>& places,
                                           std::vector<Eigen::VectorXd> way, const std::vector<bool>& kept) {
   const int dof = static_cast<int>(robot.dof());
+  // Genes become joints by a sum that may be a rounding beyond a limit, and Ceres solves nothing where a
+  // constant is.
+  for (std::size_t k = 0; k < way.size(); ++k)
+    if (kept[k]) way[k] = way[k].cwiseMax(robot.lower()).cwiseMin(robot.upper());
   for (const double unit : kUnits) {
     ceres::Problem problem;
     for (std::size_t k = 0; k < way.size(); ++k) {

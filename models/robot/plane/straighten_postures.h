@@ -8,8 +8,8 @@
 namespace hbr::inline robots {
 
 // The way [n] whose turns have the least sum of squares while the pen stays at the places [n] (m, in the root
-// link's frame), within the limits, from `way` on; the postures that are kept stay as they are.
-// Collisions are not looked at.
+// link's frame), within the limits, from `way` on; the postures that are kept are only brought within the
+// limits. Collisions are not looked at.
 std::vector<Eigen::VectorXd> straightened(const RobotOnPlane& robot,
                                           const std::vector<Eigen::Vector3d>& places,
                                           std::vector<Eigen::VectorXd> way, const std::vector<bool>& kept);

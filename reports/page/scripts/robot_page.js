@@ -8,7 +8,7 @@ class RobotView {
     this.scene = new RobotScene(this.canvas, THREE, OrbitControls);
     this.scene.show(body);
     this.joints = this.rest = body.lower.map((low, k) => Math.min(Math.max(0, low), body.upper[k]));
-    find("joints").replaceChildren(...body.joints.split(" ").map((name, k) => this.slider(name, k)));
+    find("joints").replaceChildren(...body.joints.split("\n").map((name, k) => this.slider(name, k)));
     this.turn.addEventListener("click", () => (this.turning ? this.stop() : this.start()));
     find("reset").addEventListener("click", () => this.reset());
     this.canvas.addEventListener("pointerdown", () => this.stop());
@@ -23,7 +23,10 @@ class RobotView {
     const { lower, upper, parts } = this.body, unit = parts.some((part) => part.coordinate === k && part.slides) ? "m" : "rad";
     const range = element("input", { type: "range", min: lower[k], max: upper[k], step: "any", value: this.joints[k] });
     const told = element("output", {});
-    const tell = () => { told.textContent = `${Number(range.value).toFixed(2)} ${unit}`; };
+    const tell = () => {
+      told.textContent = `${Number(range.value).toFixed(2)} ${unit}`;
+      range.setAttribute("aria-valuetext", told.textContent);
+    };
     range.addEventListener("input", () => {
       this.joints = this.joints.map((value, j) => (j === k ? Number(range.value) : value));
       tell();
@@ -48,15 +51,15 @@ class RobotView {
     this.turn.textContent = "Stop";
     let before = null;
     const frame = (now) => {
-      if (!this.turning) return;
       if (before !== null) this.scene.orbit(Math.min(now - before, 100) / 1000 * 0.5, 0, 0);
       before = now;
-      requestAnimationFrame(frame);
+      this.next = requestAnimationFrame(frame);
     };
-    requestAnimationFrame(frame);
+    this.next = requestAnimationFrame(frame);
   }
   stop() {
     this.turning = false;
+    cancelAnimationFrame(this.next);
     this.turn.textContent = "Turn";
   }
 

@@ -2,7 +2,7 @@
 // matrices in a list of 12, row after row: a rotation and, in the last column, the place in metres.
 class RobotBody {
   constructor({ words, arrays }) {
-    Object.assign(this, words);  // parts, joints, lower, upper, pen_part, pen_place, plane, half_side, pieces, places
+    Object.assign(this, words);  // parts, joints (names, one a line), lower, upper, pen_part, pen_place, plane, half_side, pieces, places
     this.arrays = arrays;
   }
 

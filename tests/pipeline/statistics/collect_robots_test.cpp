@@ -97,6 +97,22 @@ TEST(CollectRobots, DynamicsOfDigitsAndJoints) {
   }
 }
 
+// Dots separate the words of a statistic's name.
+TEST(CollectRobots, JointsMayHaveBlanksAndDotsInTheirNames) {
+  TemporaryFolder folder;
+  SyntheticExperiment experiment(folder.path(), 2);
+  experiment.dynamics("nao", 9, {"joint 1", "a.b", "a_b"});
+  const json boxes = collect_statistics("tiny", experiment.artifacts())["boxes"];
+  for (const std::string name : {"arm_torque", "whole_speed"}) {
+    const auto median = [&](const std::string& joint) {
+      return boxes.at("dynamics.nao." + name + "_of." + joint)["median"].get<double>();
+    };
+    EXPECT_NEAR(median("a_b_2"), 2 * median("joint_1"), 1e-4);
+    EXPECT_NEAR(median("a_b"), 3 * median("joint_1"), 1e-4);
+    EXPECT_EQ(boxes.at("dynamics.nao." + name)["median"], median("a_b"));
+  }
+}
+
 TEST(CollectRobots, TunedLayersAreComparedWithThoseBeforeAndWithTheControl) {
   TemporaryFolder folder;
   SyntheticExperiment experiment(folder.path(), 3);

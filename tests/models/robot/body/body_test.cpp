@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <thread>
+#include <tuple>
 
 #include "pipeline/core/check.h"
 #include "pipeline/core/random.h"
@@ -107,6 +109,32 @@ TEST(Body, RestIsBroughtWithinLimits) {
             limit.link_poses(Eigen::VectorXd::Zero(1))[3].matrix());
 }
 
+// What turns without end stands at 4 rad where it stands at 4 - 2 pi.
+TEST(Body, RestOfAContinuousJointIsBroughtIntoATurn) {
+  const Body locked = make({"j", "s"}, {{"n", 4.}});
+  const Eigen::Matrix4d g = locked.link_poses(Eigen::Vector2d(0, 0))[locked.model().link("g")].matrix();
+  EXPECT_LT((g - expected(0, 0, 4).g).norm(), 1e-12);
+  EXPECT_NEAR(make({"n"}).posture({{"n", 4.}})[0], 4 - 2 * std::numbers::pi, 1e-14);
+}
+
+TEST(Body, JointsThatFollowNarrowTheRangeOfWhatTheyFollow) {
+  for (const auto& [follows, limits, lower, upper] :
+       {std::tuple(R"(multiplier="2")", R"(lower="-1" upper="1")", -.5, .5),
+        {R"(multiplier="-2" offset="0.5")", R"(lower="-1" upper="2")", -.75, .75},
+        {R"(multiplier="0.5")", R"(lower="-1" upper="1")", -1., 1.},
+        {R"(multiplier="0" offset="5")", R"(lower="-1" upper="1")", -1., 1.},
+        {R"(multiplier="2")", "", -1., 1.},                           // by mistake: it moves
+        {R"(multiplier="2")", R"(lower="4" upper="5")", -1., 1.}}) {  // it can't be right
+    const Body body(load(link("a") + link("b") + link("c") + joint("j", "a", "b") +
+                         joint("m", "b", "c", "revolute",
+                               fmt::format(R"(<mimic joint="j" {}/><limit {}/>)", follows, limits))),
+                    {"j"});
+    EXPECT_EQ(body.lower()[0], lower) << follows << limits;
+    EXPECT_EQ(body.upper()[0], upper) << follows << limits;
+    EXPECT_EQ(body.posture({{"j", 1.}})[0], upper);
+  }
+}
+
 TEST(Body, JacobianIsTheDifferenceQuotient) {
   const Body body = make({"n", "j", "s"});
   Rng rng(Seed(2).child("jacobian"));
@@ -137,13 +165,19 @@ TEST(Body, ThreadsDoNotDisturbEachOther) {
   std::vector<double> joints(3 * n);
   Rng rng(Seed(3).child("threads"));
   for (double& q : joints) q = rng.uniform(-1, 2);
-  std::vector<Eigen::Vector3d> alone(n), together[4];
-  body.positions(tip, n, joints.data(), alone.data());
+  const auto ask = [&] {
+    std::vector<Eigen::Vector3d> found(n);
+    body.positions(tip, n, joints.data(), found.data());
+    for (int i = 0; i < n; ++i) {  // by systems of Simbody's, which threads take from a pool
+      found.push_back(body.centre_of_mass(Eigen::Map<const Eigen::Vector3d>(&joints[3 * i])));
+      found.push_back(Eigen::Vector3d::Constant(body.mass()));
+    }
+    return found;
+  };
+  const std::vector<Eigen::Vector3d> alone = ask();
+  std::vector<Eigen::Vector3d> together[4];
   std::vector<std::thread> threads;
-  for (auto& out : together) {
-    out.resize(n);
-    threads.emplace_back([&, tip] { body.positions(tip, n, joints.data(), out.data()); });
-  }
+  for (auto& out : together) threads.emplace_back([&] { out = ask(); });
   for (std::thread& thread : threads) thread.join();
   for (const auto& out : together) EXPECT_EQ(out, alone);
 }

@@ -93,6 +93,18 @@ TEST(Chain, ReachIsTheFarthestPoint) {
               3, 1e-7);
 }
 
+// A slide of at most 2 m, and one that follows it and goes no farther than 0.5 m.
+TEST(Chain, ReachIsThatOfJointsThatFollowWithinTheirLimits) {
+  const auto slide = [](const char* name, const char* from, const char* to, const std::string& inside) {
+    return fmt::format(R"(<joint name="{}" type="prismatic"><parent link="{}"/><child link="{}"/>)"
+                       R"(<axis xyz="1 0 0"/>{}</joint>)",
+                       name, from, to, inside);
+  };
+  EXPECT_NEAR(reach_of(load(link("a") + link("b") + link("c") + slide("j", "a", "b", limit(0, 2)) +
+                            slide("k", "b", "c", R"(<mimic joint="j"/>)" + limit(0, .5)))),
+              1, 1e-7);
+}
+
 TEST(Chain, ReachOfASlideIsAtItsEnds) {
   const auto slide = [](double lower, double upper) {
     return load(link("a") + link("b") +

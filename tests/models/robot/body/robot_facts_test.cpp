@@ -34,7 +34,8 @@ TEST(RobotFacts, WhatIsOddIsSaid) {
               ElementsAre(HasSubstr("links 'c': the mass is 0 kg")));
   EXPECT_THAT(
       odd(good + link("c") + at(0, "k", "b", "c", R"(<mimic joint="j" multiplier="3"/>)" + limit(-1, 1))),
-      ElementsAre(HasSubstr("'k' follows 'j' to [-3.000, 3.000], beyond its own limits")));
+      ElementsAre(HasSubstr("'k' follows 'j' to [-3.000, 3.000], beyond its own limits [-1.000, 1.000]: "
+                            "'j' moves in [-0.333, 0.333]")));
   EXPECT_THAT(odd(good, 500), testing::Contains(HasSubstr("millimetres")));
   EXPECT_THAT(odd(good, .5),
               ElementsAre(HasSubstr("link 'a': 1 kg with the inertia"), HasSubstr("link 'b'")));

@@ -20,6 +20,7 @@ TEST(FindMesh, LooksBesideAboveAndInTheFolder) {
   folder.write("pack/meshes/c.obj", "");
   folder.write("mine/d.dae", "");
   folder.write("mine/meshes/e.obj", "");
+  folder.write("pack/meshes/f 1%.obj", "");
   const auto found = [&](const std::string& name, const std::filesystem::path& given = "") {
     const FoundMesh mesh = find_mesh(name, urdf, given);
     EXPECT_FALSE(mesh.elsewhere) << name;
@@ -29,6 +30,7 @@ TEST(FindMesh, LooksBesideAboveAndInTheFolder) {
   EXPECT_EQ(found("meshes\\b.obj"), at / "pack/urdf/meshes/b.obj");
   EXPECT_EQ(found("package://pack/meshes/c.obj"), at / "pack/meshes/c.obj");
   EXPECT_EQ(found("file://" + (at / "pack/meshes/c.obj").string()), at / "pack/meshes/c.obj");
+  EXPECT_EQ(found("file://" + (at / "pack/meshes/f%201%25.obj").string()), at / "pack/meshes/f 1%.obj");
   EXPECT_EQ(found("package://other/meshes/e.obj", at / "mine"), at / "mine/meshes/e.obj");
   EXPECT_EQ(found("/other/meshes/e.obj", at / "mine"), at / "mine/meshes/e.obj");
   EXPECT_EQ(found("meshes/d.obj", at / "mine"), at / "mine/d.dae");
@@ -87,6 +89,14 @@ TEST(MeshFiles, AreAllThatARobotLooksLike) {
               testing::ElementsAre(at / "a.obj", at / "a.mtl", at / "b.gltf", at / "b.bin"));
   folder.write("b.gltf", "{");
   EXPECT_THAT(mesh_files(model, ""), testing::ElementsAre(at / "a.obj", at / "a.mtl", at / "b.gltf"));
+  // A file's end is the same in capitals, and what a glTF names is an address.
+  const RobotModel loud = load_urdf(folder.write(
+      "b.urdf", robot(link("a", shows("A.OBJ")) + link("b", shows("B.GLTF")) + joint("i", "a", "b"))));
+  folder.write("A.OBJ", "mtllib a.mtl\n");
+  folder.write("B.GLTF", R"({"buffers": [{"uri": "b%20b.bin"}]})");
+  folder.write("b b.bin", "");
+  EXPECT_THAT(mesh_files(loud, ""),
+              testing::ElementsAre(at / "A.OBJ", at / "a.mtl", at / "B.GLTF", at / "b b.bin"));
   std::filesystem::create_directories(at / "mine");
   folder.write("mine/a.dae", "");
   EXPECT_THAT(mesh_files(model, at / "mine"), testing::ElementsAre(at / "mine/a.dae"));

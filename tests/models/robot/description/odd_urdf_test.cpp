@@ -168,11 +168,14 @@ TEST(OddJoints, HaveTheLimitsThatAreMeant) {
          "has velocity '0': taken as no"},
         {"revolute", limits(R"(lower="0" upper="1" effort="-1" velocity="1")"),
          "has effort '-1': taken as no"},
-        {"continuous", limits(R"(effort="-1")"), "has effort '-1'"}})
+        {"continuous", limits(R"(effort="-1")"), "has effort '-1'"},
+        {"revolute", kTurns + R"(<dynamics damping="0" friction="0.2"/>)",
+         "<dynamics> of joint 'j' is left out; .* in a profile, in ..robots.gears"},
+        {"continuous", R"(<dynamics damping="much"/>)", "<dynamics> of joint 'j' is left out"}})
     EXPECT_THAT(load_joint(type, inside).odd, ElementsAre(ContainsRegex(words)));
   for (const std::string& inside :
        {std::string(), limits(R"(velocity="3")"), limits(R"(effort="0" velocity="0")"),
-        limits(R"(lower="-1e4" upper="1e4")")})
+        limits(R"(lower="-1e4" upper="1e4")"), std::string(R"(<dynamics damping="0.0"/>)")})
     EXPECT_THAT(load_joint("continuous", inside).odd, IsEmpty()) << inside;
   EXPECT_EQ(
       load_joint("revolute", limits(R"(lower="0" upper="1" effort="-1" velocity="-1")")).joints[0].effort, 0);

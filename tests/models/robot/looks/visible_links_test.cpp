@@ -25,7 +25,9 @@ TEST(VisibleLinks, RodsStandForWhatCannotBeSeen) {
                          joint("j", "a", "b", "fixed", "") + joint("k", "b", "c", "fixed", "") +
                          joint("l", "c", "frame", "fixed", "")),
                     "", 1, odd);
-  EXPECT_THAT(odd, ElementsAre(HasSubstr("mesh 'no.obj' is missing"), HasSubstr("1 more link")));
+  EXPECT_THAT(odd,
+              ElementsAre(testing::AllOf(HasSubstr("mesh 'no.obj' is missing"), HasSubstr("; drawn as rods")),
+                          HasSubstr("1 more link")));
   EXPECT_EQ(some[1].size(), 2u);
   EXPECT_TRUE(some[3].empty());
   // A sensor of some mass that shows nothing is left so.

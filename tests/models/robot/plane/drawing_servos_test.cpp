@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "pipeline/core/check.h"
 #include "tests/models/robot/body/chains.h"
@@ -53,6 +54,29 @@ TEST(DrawingServos, DrawByTheJointsOfTheTable) {
               testing::ThrowsMessage<InputError>(testing::HasSubstr("joint 'j9' moves less than")));
 }
 
+// The second joint is to turn by 2 rad in so many seconds, and can turn by 0.1 rad/s.
+TEST(DrawingServos, AMovementBeyondALimitIsSlower) {
+  RobotModel model = chain({Turn{}, Turn{}})->model();
+  for (Joint& joint : model.joints) joint.effort = joint.velocity = 0;  // no limits
+  model.joints[model.joint("j1")].velocity = 0.1;
+  RobotSettings robot;
+  robot.joints = {"j0", "j1"};
+  const DrawingServos servos(std::make_shared<const Body>(model, robot.joints), robot);
+  const auto turn = [&](double seconds, double longest) {
+    return path_within_limits({0, 0, 0.5, 2}, {0, seconds}, 0.05, {&servos}, 0.01, longest);
+  };
+  const PacedPath slowed = turn(10, 1e3);
+  EXPECT_NEAR(slowed.pace, 0.9 / 2, 1e-9);
+  EXPECT_NEAR(slowed.path.duration(), 10 / 0.45, 0.2);
+  EXPECT_NEAR(servos.fastest(slowed, 0.01).factor, 0.5, 1e-9);  // of the pace that was asked for
+  for (const auto& [seconds, longest, faster] : {std::tuple(40., 1e3, 2.), {10., 20., 0.5}}) {
+    const PacedPath asked = turn(seconds, longest);
+    EXPECT_EQ(asked.pace, 1);
+    EXPECT_EQ(asked.path.duration(), JointPath({0, 2}, {0, seconds}, 0.05).duration());
+    EXPECT_NEAR(servos.fastest(asked, 0.01).factor, faster, 1e-9);
+  }
+}
+
 TEST(DrawingServos, GearsAreOfTheJointsThatDraw) {
   const auto body = chain({Turn{}, Turn{}, Turn{}});
   RobotSettings robot;
@@ -84,6 +108,16 @@ TEST(DrawingServos, AWholeBodyHasMoreThanWhatDraws) {
   EXPECT_FALSE(whole_body(body->model(), robot, 1e-6));
   robot.stands_on = "link0";
   EXPECT_TRUE(whole_body(body->model(), robot, 1e-6));
+  // As many joints as draw, but one of these is too light to count, and another is not.
+  RobotModel light = body->model();
+  light.links[light.link("link2")].inertial = Inertial{1e-4, {0, 0, 0}, 1e-7 * Eigen::Matrix3d::Identity()};
+  robot.joints = {"j0", "j2"};
+  robot.stands_on = "";
+  const auto whole = whole_body(light, robot, 1e-3);
+  ASSERT_TRUE(whole);
+  EXPECT_THAT(whole->moving(), testing::ElementsAre("j0", "j1"));
+  EXPECT_THAT([&] { DrawingServos(whole, robot); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("joint 'j2' moves less than")));
 }
 
 }  // namespace

@@ -99,6 +99,37 @@ TEST(RobotOnPlane, RefusesAJointThatCanOnlyStand) {
           testing::HasSubstr("can only stand at 0.5: its <limit> is missing")));
 }
 
+TEST(MakeRobot, RefusesARestBeyondTheLimits) {
+  const TestFolder folder;
+  const std::string links = link("a") + link("b") + link("c");
+  RobotSettings settings;
+  settings.name = "mine";
+  settings.urdf = folder.write("a.urdf", robot(links + joint("j", "a", "b") + joint("k", "b", "c"))).string();
+  settings.tip_link = "c";
+  settings.joints = {"k"};
+  settings.rest_joints = {"j"};
+  settings.rest_positions = {1};
+  EXPECT_EQ(make_robot(settings, kPlane).dof(), 1);
+  settings.rest_positions = {1.5};
+  EXPECT_THAT([&] { make_robot(settings, kPlane); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                  "robot 'mine': rest_positions has joint 'j' at 1.5; expected -1 to 1, its limits in ")));
+}
+
+TEST(MakeRobot, HasMetresForWhatSlides) {
+  const TestFolder folder;
+  std::string text = robot(link("a") + link("b") + link("c") + joint("j", "a", "b") + joint("k", "b", "c"));
+  text.replace(text.find("revolute"), 8, "prismatic");
+  RobotSettings settings;
+  settings.name = "mine";
+  settings.urdf = folder.write("a.urdf", text).string();
+  settings.tip_link = "c";
+  settings.joints = {"k", "j"};
+  const RobotOnPlane made = make_robot(settings, kPlane);
+  EXPECT_EQ(made.unit(0), "rad");
+  EXPECT_EQ(made.unit(1), "m");
+}
+
 // A plane that is level with the two links can't be had (it stands upright), so what can be covered is a
 // line.
 TEST(RefinePlane, ComesNearerToTheReach) {
@@ -122,6 +153,23 @@ TEST(RefinePlane, ComesNearerToTheReach) {
   EXPECT_EQ(plane.origin, again.origin);
   EXPECT_EQ(plane.u, again.u);
   EXPECT_EQ(plane.scale, again.scale);
+}
+
+// The normal's z of a level board may be a rounding above 1, which is nobody's sine.
+TEST(RefinePlane, KeepsALevelBoardLevel) {
+  const DrawingPlane start =
+      DrawingPlane::facing({.3, .2, .05}, -2.9634802056111047, -std::numbers::pi / 2, 1);
+  ASSERT_GT(start.normal()[2], 1);
+  const auto body = two_links();
+  const Clearance clearance(*body, body->model().link("tip"));
+  const Reach reach(*body, body->model().link("tip"), clearance, 500, .01, Seed(4));
+  const std::vector<Eigen::Vector2d> points{{-.5, -.5}, {.5, -.5}, {-.5, .5}, {.5, .5}, {0, 0}};
+  Workers one(1);
+  const Board board = refine_plane({start, 0}, BoardRules(clearance, BoardKind::any), reach, points, one);
+  EXPECT_TRUE(board.plane.origin.allFinite() && board.plane.u.allFinite() && board.plane.v.allFinite());
+  EXPECT_EQ(board_kind(board.plane), BoardKind::level);
+  const auto distances = distances_to_reach(board, reach, points, one);
+  EXPECT_LT(*std::ranges::max_element(distances), .01);
 }
 
 // A circle of 2 m fits the reach of 3 m, but not where its board stands on the floor at the reach's middle:
