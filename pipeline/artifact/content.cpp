@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "pipeline/artifact/temporary.h"
@@ -56,7 +57,9 @@ class Descriptor {
     ::close(id_);
     no_file(path);
   }
-  ~Descriptor() { ::close(id_); }
+  ~Descriptor() {
+    if (id_ >= 0) ::close(id_);
+  }
   Descriptor(const Descriptor&) = delete;
   std::size_t read(char* to, std::size_t bytes) const {
     ssize_t got;
@@ -85,6 +88,10 @@ class Descriptor {
   void sync() const {
     // A file system without fsync says EINVAL; there is nothing more to do then.
     if (::fsync(id_) != 0 && errno != EINVAL) fail(path_, "can't write through to the disk");
+  }
+  // A network's server may say only now that its disk is full.
+  void close() {
+    if (::close(std::exchange(id_, -1)) != 0) fail(path_, "can't write");
   }
 
  private:
@@ -214,15 +221,18 @@ std::string read_whole(const fs::path& path) {
 }
 
 void write_file(const fs::path& path, std::string_view text) {
-  Descriptor(path, O_WRONLY | O_CREAT | O_TRUNC).write(text);
+  Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC);
+  file.write(text);
+  file.close();
 }
 
 void write_whole(const fs::path& path, std::string_view text) {
   const fs::path temporary = temporary_beside(path);
   try {
-    const Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+    Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
     file.write(text);
     file.sync();
+    file.close();
     if (::rename(temporary.c_str(), path.c_str()) != 0) fail(path, "can't write");
   } catch (const InputError&) {
     ::unlink(temporary.c_str());

@@ -78,12 +78,7 @@ int run_nodes(const Workspace& workspace, const std::vector<Node>& nodes, const 
       failed.insert(node.output);
       continue;
     }
-    const int code = guarded_main("hbr", [&] {
-      // Where the network failed, the launcher may be gone and this still be here.
-      if (options.handover && options.handover->claim != claim_of(workspace.out))
-        throw InputError("{}: the make that wanted this has ended", name_of(node));
-      return run_node(workspace, node, each);
-    });
+    const int code = guarded_main("hbr", [&] { return run_node(workspace, node, each); });
     each.waited_seconds = 0;
     if (code != 0) failed.insert(node.output);
     if (first == 0) first = code;

@@ -4,6 +4,16 @@
 
 namespace hbr::inline artifact {
 
+Hdf5Handle hdf5_open(const std::filesystem::path& path) {
+  // Made once: closing it after an open that failed would clear the reason.
+  static const Hdf5Handle access = [] {
+    Hdf5Handle made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_file_locking(made, false, true);
+    return made;
+  }();
+  return {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
+}
+
 void hdf5_silence() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 std::string hdf5_reason() {

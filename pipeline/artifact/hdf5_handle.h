@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -53,6 +54,10 @@ inline Hdf5Handle hdf5_text_type() {
   H5Tset_cset(type, H5T_CSET_UTF8);
   return type;
 }
+
+// Opens a file to be read. Without HDF5's own lock: nobody writes to a file that stands in its place, and
+// some file systems have no locks.
+Hdf5Handle hdf5_open(const std::filesystem::path& path);
 
 // HDF5 prints a page of its own on every error; ours say it in one line.
 void hdf5_silence();

@@ -40,7 +40,7 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : file_(std::make_uniq
   std::error_code error;
   file_->bytes = std::filesystem::file_size(path, error);
   if (error) throw file_error(path, "can't read this file", error.value());
-  file_->id = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  file_->id = hdf5_open(path);
   if (!file_->id.valid())
     throw InputError("{}: not an HDF5 file, damaged, or not readable ({})", path.string(), hdf5_reason());
 }

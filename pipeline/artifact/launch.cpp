@@ -12,6 +12,14 @@
 #include "pipeline/core/memory_limit.h"
 
 namespace hbr::inline artifact {
+namespace {
+
+// What a user can do, where the signal alone tells.
+const char* remedy_of(int signal) {
+  return signal == SIGILL ? "; built for another processor: build it there, or with HBR_ARCH=x86-64-v3" : "";
+}
+
+}  // namespace
 
 std::vector<std::string> launched(const std::string& launch, const std::vector<std::string>& command) {
   if (launch.empty()) return command;
@@ -38,7 +46,7 @@ std::string failure_of(const ChildResult& child, const std::optional<RunRecord>&
     return fmt::format("{} failed with exit code {}", program, record->exit_code);
   if (child.signal)
     return fmt::format(
-        "{} was ended by a signal: {}{}", program, ::strsignal(child.signal),
+        "{} was ended by a signal: {}{}{}", program, ::strsignal(child.signal), remedy_of(child.signal),
         child.signal == SIGKILL ? "; if nobody did it, memory was out: at most " + memory_limit() : "");
   if (child.exit_code == 0)
     return record ? "" : fmt::format("{} succeeded, but left no record of its run", program);
@@ -48,9 +56,10 @@ std::string failure_of(const ChildResult& child, const std::optional<RunRecord>&
         "LAUNCH='{}': {} (exit code {}): its first word must be a command on this machine's PATH, as in "
         "LAUNCH='srun -n1'; without LAUNCH stages run here",
         launch, child.exit_code == 127 ? "no such command" : "the command can't be run", child.exit_code);
-  const std::string signal = child.exit_code > 128 && child.exit_code < 128 + NSIG
-                                 ? fmt::format(", as of a signal: {}", ::strsignal(child.exit_code - 128))
-                                 : "";
+  const int number = child.exit_code - 128;
+  const std::string signal = number > 0 && number < NSIG ? fmt::format(", as of a signal: {}{}",
+                                                                       ::strsignal(number), remedy_of(number))
+                                                         : "";
   return fmt::format("{} {}: LAUNCH='{}' gave exit code {}{}", program,
                      record ? "succeeded, its launcher did not" : "did not come to its end", launch,
                      child.exit_code, signal);

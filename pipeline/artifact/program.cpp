@@ -42,11 +42,13 @@ int guarded_main(const std::string& name, const std::function<int()>& body) {
   } catch (const std::bad_alloc&) {
     return told(name, "", out_of_memory(), 3);
   } catch (const std::system_error& error) {
-    const bool threads = error.code() == std::errc::resource_unavailable_try_again;
-    return told(
-        name, "",
-        fmt::format("{}{}", error.what(), threads ? "; use fewer THREADS or jobs, or raise ulimit -u" : ""),
-        3);
+    const std::error_code code = error.code();
+    if (code == std::errc::not_enough_memory) return told(name, "", out_of_memory(), 3);
+    const char* remedy = code == std::errc::resource_unavailable_try_again
+                             ? "; use fewer THREADS or jobs, or raise ulimit -u"
+                         : code == std::errc::too_many_files_open ? "; raise ulimit -n"
+                                                                  : "";
+    return told(name, "", error.what() + std::string(remedy), 3);
   } catch (const std::exception& error) {
     const std::string text = error.what();
     // OpenCV's own word for it.

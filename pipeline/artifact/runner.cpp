@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 
+#include "pipeline/artifact/claim.h"
 #include "pipeline/artifact/launch.h"
 #include "pipeline/artifact/progress.h"
 #include "pipeline/artifact/tally.h"
@@ -87,6 +88,12 @@ void check_unchanged(const Workspace& workspace, const Node& node, const Ingredi
                        (workspace.out / output).string());
 }
 
+// Where the network failed, the launcher of this runner may be gone and this still be here.
+void check_wanted(const Workspace& workspace, const Node& node, const RunOptions& options) {
+  if (options.handover && options.handover->claim != claim_of(workspace.out))
+    throw InputError("{}: the make that wanted this has ended", name_of(node));
+}
+
 // Puts what the stage left in the artifact's place, and its manifest beside it.
 void keep(const Workspace& workspace, const Node& node, const Freshness& found, const fs::path& output,
           nlohmann::json run) {
@@ -129,6 +136,7 @@ std::vector<std::string> stage_command(const Workspace& workspace, const Node& n
 }
 
 int run_node(const Workspace& workspace, const Node& node, const RunOptions& options) {
+  check_wanted(workspace, node, options);
   const std::string name = name_of(node);
   HashCache hashes(workspace);
   const Freshness found = freshness_of(workspace, node, inputs_of(workspace, node), hashes);
@@ -164,6 +172,7 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
       continue;
     }
     check_unchanged(workspace, node, found.ingredients);
+    check_wanted(workspace, node, options);
     const double waited = options.waited_seconds + std::max(0.0, child.seconds - record->seconds);
     keep(workspace, node, found, output.path, run_facts(*record, waited, tries.failures(), options));
     fs::remove_all(checkpoint);
@@ -179,7 +188,10 @@ int run_node(const Workspace& workspace, const Node& node, const RunOptions& opt
 
 void remove_temporaries(const Workspace& workspace, const Graph& graph) {
   std::set<fs::path> folders{workspace.out / ".plan"};
-  for (const Node& node : graph) folders.insert((workspace.out / node.output).parent_path());
+  for (const Node& node : graph) {
+    folders.insert((workspace.out / node.output).parent_path());
+    folders.insert(slice_path(workspace.out, node).parent_path());
+  }
   for (const fs::path& folder : folders)
     if (fs::is_directory(folder)) remove_abandoned(folder);
 }

@@ -113,6 +113,8 @@ int stage_main(int argc, char** argv, const char* summary, const std::function<v
     name = stage.name();
     check_program(program);
     run(stage);
+    // A network's server may say only now, and only to this host, that its disk is full.
+    if (std::filesystem::exists(output)) sync_to_disk(output);
     return 0;
   });
   if (record.empty()) return code;

@@ -75,21 +75,22 @@ std::string status_table(const Graph& graph, const std::vector<Freshness>& fresh
 
 Audit audit(const Workspace& workspace, const Graph& graph) {
   Audit found;
-  int checked = 0, missing = 0;
+  int missing = 0;
   std::uint64_t bytes = 0;
   for (const Node& node : graph) {
     const Found artifact = look_at(workspace, node, Compare::by_content);
     const std::string place = (workspace.out / node.output).string();
-    checked += artifact.bytes.has_value();
+    found.read += artifact.bytes.has_value();
     bytes += artifact.bytes.value_or(0);
     if (artifact.state == State::missing)
       ++missing;
     else if (artifact.state != State::fresh)
       found.problems.push_back(fmt::format("{}: {}; make makes it again", place, artifact.why));
   }
-  found.summary = fmt::format("{}: {} artifacts read again ({:.1f} MB), {} missing, {} not as they should be",
-                              workspace.out.string(), checked, 1e-6 * static_cast<double>(bytes), missing,
-                              found.problems.size());
+  found.summary = fmt::format(
+      "{}: {} artifacts read again ({:.1f} MB), {} missing, {} not as they should be{}",
+      workspace.out.string(), found.read, 1e-6 * static_cast<double>(bytes), missing, found.problems.size(),
+      found.read == 0 ? "; is this OUT a folder of this PROFILE's artifacts?" : "");
   return found;
 }
 

@@ -12,6 +12,7 @@ namespace hbr::inline artifact {
 std::string status_table(const Graph& graph, const std::vector<Freshness>& freshness);
 
 struct Audit {
+  int read = 0;                       // artifacts
   std::vector<std::string> problems;  // one line each
   std::string summary;
 };

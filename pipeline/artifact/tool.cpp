@@ -52,7 +52,7 @@ int tell_audit(const ToolArguments& arguments, const Graph& graph) {
   const Audit found = audit(arguments.workspace, graph);
   for (const std::string& problem : found.problems) fmt::print(stderr, "{}\n", problem);
   fmt::print("{}\n", found.summary);
-  return found.problems.empty() ? 0 : 1;
+  return found.problems.empty() && found.read > 0 ? 0 : 1;
 }
 
 // A number that users give by a variable of make.

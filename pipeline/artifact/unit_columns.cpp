@@ -15,7 +15,7 @@ class ArrayAttributes {
       : path_(path.string()), array_(array) {
     const Hdf5Reader checked(path);  // says what is wrong with the file itself
     if (!checked.has(array)) throw InputError("{}: {}: the file has no array of that name", path_, array);
-    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    file_ = hdf5_open(path);
     object_ = Hdf5Handle(H5Oopen(file_, array.c_str(), H5P_DEFAULT), H5Oclose);
   }
 

@@ -34,7 +34,9 @@ std::string remedy(const fs::path& path, int error) {
     case EPERM:
       return "you may not do this there: ask its owner, or use another place";
     case ENOENT:
-      return fs::is_directory(path.parent_path(), ignored) ? "" : "a folder above it is not there";
+      return path.parent_path().empty() || fs::is_directory(path.parent_path(), ignored)
+                 ? ""
+                 : "a folder above it is not there";
     case ENOTDIR:
       return "something above it is no folder: remove that, or use another place";
     case EISDIR:

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include "pipeline/core/check.h"
@@ -22,9 +23,11 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
   return result;
 }
 
-InputError not_started(const std::string& what, int reason) {
-  return InputError("can't start {}: {}{}", what, std::strerror(reason),
-                    reason == ENOENT ? "; is it installed?" : "");
+[[noreturn]] void not_started(const std::string& what, int reason) {
+  if (reason == EAGAIN || reason == ENOMEM || reason == EMFILE || reason == ENFILE)
+    throw std::system_error(reason, std::generic_category(), "can't start " + what);
+  throw InputError("can't start {}: {}{}", what, std::strerror(reason),
+                   reason == ENOENT ? "; is it installed?" : "");
 }
 
 }  // namespace
@@ -32,7 +35,7 @@ InputError not_started(const std::string& what, int reason) {
 int start_work(const std::function<int()>& work) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit([&]() noexcept { return work(); }());
-  if (child < 0) throw not_started("a process", errno);
+  if (child < 0) not_started("a process", errno);
   return child;
 }
 
@@ -40,7 +43,7 @@ int start_program(const Program& program, const StandardFiles& files) {
   HBR_CHECK(!program.words.empty(), "no program to run");
   const std::vector<char*> words = pointers(program.words), variables = pointers(program.environment);
   int told[2];  // the child's errno where the program can't be started; closes with exec
-  if (::pipe2(told, O_CLOEXEC) != 0) throw not_started(program.words[0], errno);
+  if (::pipe2(told, O_CLOEXEC) != 0) not_started(program.words[0], errno);
   const pid_t parent = ::getpid();
   int child = 0;
   try {
@@ -49,7 +52,7 @@ int start_program(const Program& program, const StandardFiles& files) {
       for (const auto& [file, as] :
            {std::pair(files.input, STDIN_FILENO), std::pair(files.output, STDOUT_FILENO),
             std::pair(files.errors, STDERR_FILENO)})
-        if (file >= 0) ::dup2(file, as);
+        if (file >= 0 && ::dup2(file, as) == file) ::fcntl(as, F_SETFD, 0);  // it is in place, and stays
       std::signal(SIGXFSZ, SIG_DFL);
       sigset_t none;
       sigemptyset(&none);
@@ -58,7 +61,7 @@ int start_program(const Program& program, const StandardFiles& files) {
       const int reason = errno;
       return ::write(told[1], &reason, sizeof reason) < 0 ? 126 : 127;
     });
-  } catch (const InputError&) {
+  } catch (...) {
     ::close(told[0]);
     ::close(told[1]);
     throw;
@@ -70,7 +73,7 @@ int start_program(const Program& program, const StandardFiles& files) {
   ::close(told[0]);
   if (got != sizeof reason) return child;
   wait_for(child);
-  throw not_started(program.words[0], reason);
+  not_started(program.words[0], reason);
 }
 
 Ending wait_for(int child) {
@@ -83,7 +86,7 @@ Ending wait_for(int child) {
 
 void become(const std::vector<std::string>& words) {
   ::execvp(words.at(0).c_str(), pointers(words).data());
-  throw not_started(words[0], errno);
+  not_started(words[0], errno);
 }
 
 void signal_at_end_of_parent(int signal) { ::prctl(PR_SET_PDEATHSIG, signal); }

@@ -1,4 +1,6 @@
-// Children of this process: the one place where they are started, waited for and told to end.
+// Children of this process: the one place where they are started, waited for and told to end. What can't be
+// started is an InputError; where the machine lacks processes, memory or open files for it,
+// std::system_error.
 #pragma once
 
 #include <functional>
@@ -24,17 +26,16 @@ struct StandardFiles {
 };
 
 // Starts a copy of this process, which does the work and ends with the exit code that this returns. Gives its
-// number; throws InputError where there can be no further process.
+// number.
 int start_work(const std::function<int()>& work);
 
 // Starts a program, which never outlives this process, and gives its number. No signal is blocked in it.
-// Throws InputError where it can't be started.
 int start_program(const Program& program, const StandardFiles& files = {});
 
 // Waits for the end of a child that was started here.
 Ending wait_for(int child);
 
-// Becomes the program; number, environment and open files stay. Throws InputError where it can't be started.
+// Becomes the program; number, environment and open files stay.
 [[noreturn]] void become(const std::vector<std::string>& words);
 
 // Has this process be sent the signal when its parent ends, be it by kill -9.

@@ -4,9 +4,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+#include <system_error>
 
-#include "pipeline/core/check.h"
 #include "pipeline/process/bytes.h"
 
 namespace hbr::inline process {
@@ -19,7 +18,7 @@ class MemoryFile {
     if (number_ < 0 || !write_all(number_, content)) {
       const int reason = errno;
       ::close(number_);
-      throw InputError("no file in memory can be made: {}", std::strerror(reason));
+      throw std::system_error(reason, std::generic_category(), "no file in memory can be made");
     }
     rewind();
   }

@@ -10,7 +10,7 @@ struct Output {
   std::string text, errors;  // of the standard output and the standard error
 };
 
-// Runs the program to its end on that standard input. Throws InputError where it can't be started.
+// Runs the program to its end on that standard input.
 Output output_of(const Program& program, const std::string& input = "");
 
 }  // namespace hbr::inline process

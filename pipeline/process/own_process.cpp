@@ -9,6 +9,8 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <new>
+#include <system_error>
 
 #include "pipeline/core/check.h"
 #include "pipeline/process/bytes.h"
@@ -25,6 +27,15 @@ void set_limit(int what, rlim_t most) {
   ::getrlimit(what, &now);
   now.rlim_cur = now.rlim_max = std::min(now.rlim_max, most);
   ::setrlimit(what, &now);
+}
+
+// At the soft limit comes SIGXCPU; the hard one stays, so that SIGKILL means something else.
+void limit_computing(rlim_t seconds) {
+  rlimit now{};
+  ::getrlimit(RLIMIT_CPU, &now);
+  now.rlim_cur = std::min(now.rlim_max, seconds);
+  ::setrlimit(RLIMIT_CPU, &now);
+  std::signal(SIGXCPU, SIG_DFL);
 }
 
 rlim_t address_space_in_use() {
@@ -47,7 +58,8 @@ std::string said_by(const std::function<std::string()>& work) {
 
 std::string OwnProcess::run(const std::string& what, const std::function<std::string()>& work) const {
   int ends[2];
-  if (::pipe2(ends, O_CLOEXEC) != 0) throw InputError("{}: can't be read: {}", what, std::strerror(errno));
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), what + ": can't be read");
   const int parent = ::getpid();
   int child = 0;
   try {
@@ -55,13 +67,13 @@ std::string OwnProcess::run(const std::string& what, const std::function<std::st
       end_with_parent(parent);
       ::close(ends[0]);
       set_limit(RLIMIT_CORE, 0);
-      set_limit(RLIMIT_CPU, cpu_seconds);
+      limit_computing(cpu_seconds);
       set_limit(RLIMIT_AS, address_space_in_use() + memory_bytes);
       return write_all(ends[1], said_by(work)) ? 0 : 1;
     });
-  } catch (const InputError& error) {
+  } catch (...) {
     for (const int end : ends) ::close(end);
-    throw InputError("{}: can't be read: {}", what, error.what());
+    throw;
   }
   ::close(ends[1]);
   const std::string said = read_all(ends[0]);
@@ -72,7 +84,8 @@ std::string OwnProcess::run(const std::string& what, const std::function<std::st
     const std::string why = said.substr(1, said.find('\n') - 1);
     throw InputError("{}: {}", what, why);
   }
-  if (ending.signal == SIGXCPU || ending.signal == SIGKILL)
+  if (ending.signal == SIGKILL) throw std::bad_alloc();  // by the kernel, whose memory is out
+  if (ending.signal == SIGXCPU)
     throw InputError("{}: reading it does not end within {} s of computing", what, cpu_seconds);
   throw InputError("{}: the reader crashed on it{}; the file is damaged", what,
                    ending.signal ? fmt::format(" ({})", ::strsignal(ending.signal)) : "");

@@ -13,7 +13,8 @@ struct OwnProcess {
   unsigned cpu_seconds;
 
   // Runs `work` in a child of this process and returns what it returns. Throws InputError, with `what` before
-  // the words, where the work throws one, crashes, or needs more than it may.
+  // the words, where the work throws one, crashes, or needs more than it may. That the machine has too little
+  // is not told of `what`: std::bad_alloc where the child is killed, std::system_error where there is none.
   std::string run(const std::string& what, const std::function<std::string()>& work) const;
 };
 

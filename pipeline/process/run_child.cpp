@@ -39,7 +39,11 @@ ChildResult run_child(const std::vector<std::string>& command) {
     child_to_signal = start_program({command});
     struct sigaction action {};
     action.sa_handler = hand_on;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction before {};
+      ::sigaction(signal, nullptr, &before);
+      if (before.sa_handler != SIG_IGN) ::sigaction(signal, &action, nullptr);
+    }
   }
   const Ending ending = wait_for(child_to_signal);
   child_to_signal = 0;

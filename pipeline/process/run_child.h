@@ -11,7 +11,7 @@ struct ChildResult : Ending {
 };
 
 // Runs it to its end. Termination and interrupt signals are handed on to it, and are reported as its end;
-// where one came before, it is not run at all. Throws InputError where it can't be started.
+// where one came before, it is not run at all. What this process ignores (nohup) it ignores, too.
 ChildResult run_child(const std::vector<std::string>& command);
 
 }  // namespace hbr::inline process

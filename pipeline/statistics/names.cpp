@@ -105,9 +105,20 @@ ArtifactName parse_artifact_name(const std::string& name, const std::set<std::st
 }
 
 bool can_be_a_layers_name(const std::string& name) {
-  constexpr std::array kTaken = {"all", "page", "readings", "report"};
-  if (std::ranges::find(kTaken, name) != kTaken.end()) return false;
+  constexpr std::array kTaken = {"experiment", "page", "readings", "report"};
+  if (std::ranges::find(kTaken, name) != kTaken.end() || goals_of_make().contains(name)) return false;
   return is_search(parse_artifact_name(name, {name}).head);
+}
+
+const std::set<std::string>& goals_of_make() {
+  static const std::set<std::string> goals{
+      "help",          "deps",         "build",       "data",    "all",       "keys",
+      "test",          "bench",        "sanitize",    "fuzz",    "mutate",    "coverage",
+      "format",        "check-format", "status",      "audit",   "graph",     "reference",
+      "figures",       "verify",       "export",      "compare", "robot",     "install",
+      "check-targets", "check-odr",    "check-bytes", "clean",   "distclean", "test-cluster",
+      "check-releases"};
+  return goals;
 }
 
 }  // namespace hbr::inline statistics

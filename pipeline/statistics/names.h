@@ -23,8 +23,12 @@ struct ArtifactName {
 // FORMAT.md.
 ArtifactName parse_artifact_name(const std::string& name, const std::set<std::string>& layers = {});
 
-// Whether a profile may call a layer so: not where its artifacts would be taken for those of another stage.
+// Whether a profile may call a layer so: not where its artifacts would be taken for those of another stage,
+// or make would do something else.
 bool can_be_a_layers_name(const std::string& name);
+
+// What make can be asked for besides stages and variations: `targets` in the Makefile.
+const std::set<std::string>& goals_of_make();
 
 // Searches whose course is kept: layers, reference and flat baselines.
 bool is_search(const std::string& head);

@@ -15,14 +15,14 @@ void write_checkpoint(const std::filesystem::path& path, const SearchState& stat
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](auto a, auto b) { return state.elites.id[a] < state.elites.id[b]; });
-  const std::filesystem::path unfinished = temporary_beside(path);
-  Hdf5Writer file(unfinished);
+  const Temporary unfinished(temporary_beside(path));
+  Hdf5Writer file(unfinished.path);
   write_elites(file, in_order(state.elites, order), state.progress);
   file.write("slot", order);
   file.write("selector", state.selector);
   file.write("generation", std::vector<std::int64_t>{state.generation});
   file.close();
-  std::filesystem::rename(unfinished, path);
+  std::filesystem::rename(unfinished.path, path);
 }
 
 bool can_resume(const std::filesystem::path& path) {

@@ -6,6 +6,7 @@
 #include "pipeline/artifact/profile.h"
 #include "pipeline/artifact/variations.h"
 #include "pipeline/core/check.h"
+#include "pipeline/statistics/names.h"
 #include "stages/plan/old_keys.h"
 #include "stages/plan/plan.h"
 #include "stages/plan/readings.h"
@@ -37,13 +38,14 @@ SettingsSource varied(const SettingsSource& source, const std::vector<std::strin
 // A variation's name is a make goal and a folder beside those of the stages.
 void check_variations(const std::string& file, const Profile& profile, const Graph& graph,
                       const std::vector<Combination>& combinations) {
-  std::set<std::string> taken{"all", "page", "report", "readings"};
+  std::set<std::string> taken = goals_of_make();
+  taken.insert({"experiment", "page", "report", "readings"});
   for (const Combination& combination : combinations) taken.insert(combination.name);
   for (const Node& node : graph) taken.insert({node.stage, node.stage.substr(0, node.stage.find('_'))});
   for (const ProfileVariation& v : profile.variations) {
     check_name(file, "variations", v.name);
     if (!taken.insert(v.name).second)
-      throw InputError("{}: variations: name '{}' stands twice, or is a stage's", file, v.name);
+      throw InputError("{}: variations: name '{}' stands twice, or is a stage's or make's own", file, v.name);
     if (v.changes.empty())
       throw InputError("{}: variation '{}' has no `changes`; expected a sentence for the report", file,
                        v.name);

@@ -39,9 +39,10 @@ void Plan::check() const {
   check_names("layers", rows_);
   for (const LayerRow& row : rows_)
     if (!can_be_a_layers_name(row.name))
-      fail(fmt::format(
-          "layers: the name '{}' would be taken for that of another stage's results; expected another",
-          row.name));
+      fail(
+          fmt::format("layers: the name '{}' would be taken for that of another stage's results, or for a "
+                      "goal of make's own; expected another",
+                      row.name));
   check_names("robots", profile_.robots);
   check_names("searches.variants", profile_.searches.variants);
   if (std::ranges::find(profile_.robots, "arm", &RobotSettings::name) != profile_.robots.end())

@@ -87,7 +87,7 @@ void describe(Fields& f, ExplorerTable& s) {
   f.number(
       "replications", s.replications, Range{0, kMaxReplications},
       "of the digits that the report's explorer shows, the first ones; each makes the page larger by 0.5 "
-      "to 1 MB");
+      "to 2 MB");
   f.number("executions", s.executions, Range{1, 100}, "of each line and arc there, from random starts");
 }
 

@@ -25,8 +25,13 @@ bool is_repertoire(const fs::path& artifact) {
                              [&](const char* array) { return file.has(array); });
 }
 
-// "layer2_n10" -> "00" -> the artifact; throws InputError where one is not what its manifest says.
-using Repertoires = std::map<std::string, std::map<std::string, fs::path>>;
+struct Exported {
+  fs::path path;
+  std::string fault;  // in what it is not what its manifest says
+};
+
+// "layer2_n10" -> "00" -> the artifact. A file without a manifest is somebody else's.
+using Repertoires = std::map<std::string, std::map<std::string, Exported>>;
 Repertoires repertoires_of(const fs::path& out) {
   if (!fs::is_directory(out))
     throw InputError("{}: no folder of a run; OUT or PROFILE says where it is", out.string());
@@ -41,10 +46,10 @@ Repertoires repertoires_of(const fs::path& out) {
     if (path.extension() != ".h5" || !below.has_parent_path()) continue;
     Node node;
     node.output = below.string();
-    if (const Found artifact = look_at({out, {}, {}}, node, Compare::by_fingerprint);
-        artifact.state != State::fresh)
-      throw InputError("{}: {}; `make all` of the profile makes it again", path.string(), artifact.why);
-    if (is_repertoire(path)) found[below.parent_path().string()][below.stem().string()] = path;
+    if (!fs::exists(manifest_path(out, node))) continue;
+    const std::string fault = look_at({out, {}, {}}, node, Compare::by_fingerprint).why;
+    if (fault.empty() && !is_repertoire(path)) continue;
+    found[below.parent_path().string()][below.stem().string()] = {path, fault};
   }
   if (found.empty())
     throw InputError("{} holds no repertoire; `make all` of the profile makes them", out.string());
@@ -81,8 +86,13 @@ void replace(const fs::path& written, const fs::path& place) {
   fs::rename(written, place);
 }
 
-void write(const fs::path& artifact, const std::string& format, const fs::path& place) {
-  const StoredRepertoire repertoire = read_repertoire(artifact);
+void write(const Exported& artifact, const std::string& format, const fs::path& place) {
+  if (!artifact.fault.empty())
+    throw InputError("{}: {}; `make all` of the profile makes it again", artifact.path.string(),
+                     artifact.fault);
+  const StoredRepertoire repertoire = read_repertoire(artifact.path);
+  fs::create_directories(place.parent_path());
+  remove_abandoned(place.parent_path());
   const fs::path to = format == "pyribs" ? place.string() + ".csv" : place.string();
   const Temporary written(temporary_beside(to));
   if (format == "pyribs")
@@ -105,9 +115,7 @@ int run(const std::vector<std::string>& words) {
   for (const auto& [name, replications] : selected(repertoires_of(out), stage, out))
     for (const auto& [number, artifact] : replications) {
       if (!replication.empty() && number != replication) continue;
-      const fs::path place = to / format / name / number;
-      fs::create_directories(place.parent_path());
-      write(artifact, format, place);
+      write(artifact, format, to / format / name / number);
       ++count;
     }
   if (count == 0) throw InputError("REP {}: no repertoire of that replication", replication);

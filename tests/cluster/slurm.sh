@@ -58,10 +58,7 @@ END
   munged --foreground --key-file "$cluster/munge/key" --socket "$cluster/munge/socket" --pid-file "$cluster/munge/pid" \
     --log-file "$cluster/munge/log" --seed-file "$cluster/munge/seed" --force >"$cluster/munge/out" 2>&1 &
   munge_process=$!
-  until [ -S "$cluster/munge/socket" ]; do
-    kill -0 $munge_process 2>/dev/null || { cat "$cluster/munge/out" >&2; return 1; }
-    sleep 0.1
-  done
+  wait_until 20 '[ -S "$cluster/munge/socket" ]' || { cat "$cluster/munge/out" >&2; return 1; }
   start_controller
   for ((n = 1; n <= nodes; n++)); do start_node $n; done
   wait_until 30 '[ "$(sinfo -h -t idle -o %D)" = '"$nodes"' ]'
@@ -87,9 +84,11 @@ start_node() {
 
 # The node's daemon, and the job steps that it runs: as if the machine had lost its power.
 lose_node() {
-  local step
-  kill -9 "${node_process[$1]}" 2>/dev/null || true
-  wait "${node_process[$1]}" 2>/dev/null || true
+  local step process
+  for process in ${node_process[$1]:-}; do  # none where it was never started
+    kill -9 "$process" 2>/dev/null || true
+    wait "$process" 2>/dev/null || true
+  done
   for step in $(steps_of "$1"); do kill_family "$step"; done
 }
 

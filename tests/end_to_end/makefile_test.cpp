@@ -2,6 +2,7 @@
 // tells what CMake was given, and which sources it builds.
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <set>
 #include <sstream>
 
@@ -21,6 +22,7 @@ class Makefile : public testing::Test {
   const fs::path checkout_ = folder_.path() / "checkout";
 
   void SetUp() override {
+    ::unsetenv("CXXFLAGS");
     fs::create_directories(checkout_);
     fs::copy(HBR_SOURCE_DIR "/Makefile", checkout_);
     fs::copy(HBR_SOURCE_DIR "/.ci", checkout_ / ".ci");
@@ -28,7 +30,9 @@ class Makefile : public testing::Test {
     std::ofstream(checkout_ / "CMakeLists.txt")
         << "cmake_minimum_required(VERSION 3.25)\n"
            "project(stand_in LANGUAGES NONE)\n"
-           "message(STATUS configured)\n"
+           "if(EXISTS ${CMAKE_SOURCE_DIR}/broken)\n"
+           "  message(FATAL_ERROR \"it is broken\")\n"
+           "endif()\n"
            "add_custom_target(programs COMMAND ${CMAKE_COMMAND} -E echo arch ${HBR_ARCH}, werror "
            "${HBR_WERROR},\n"
            "  compiler ${CMAKE_CXX_COMPILER} COMMAND ${CMAKE_COMMAND} -E cat "
@@ -37,9 +41,11 @@ class Makefile : public testing::Test {
   static void write(const fs::path& checkout, const std::string& text) {
     std::ofstream(checkout / "sources.txt") << text << '\n';
   }
+  static std::string command(const fs::path& checkout, const std::string& words) {
+    return "env -u BUILD -u HBR_ARCH -u WERROR -u CXX make -C " + checkout.string() + " DEPS=none " + words;
+  }
   static ShellResult make(const fs::path& checkout, const std::string& words) {
-    return shell("env -u BUILD -u HBR_ARCH -u WERROR -u CXX make -C " + checkout.string() + " DEPS=none " +
-                 words);
+    return shell(command(checkout, words));
   }
   ShellResult make(const std::string& words) { return make(checkout_, words); }
   // Once more with the same words: nothing is configured.
@@ -58,11 +64,59 @@ TEST_F(Makefile, WarningsStopNoUser) {
 TEST_F(Makefile, ChangedSettingsReachCMake) {
   for (const auto& [words, told] :
        {std::pair{"build", "arch native, werror OFF"}, std::pair{"build WERROR=1", "arch native, werror ON"},
+        std::pair{"build WERROR=0", "arch native, werror OFF"},
         std::pair{"build HBR_ARCH=x86-64-v3", "arch x86-64-v3, werror OFF"},
         std::pair{"build CXX=some++", "werror OFF, compiler some++"}}) {
     EXPECT_THAT(make(words).text, HasSubstr(told));
     expect_kept(words);
   }
+}
+
+// They reach the compiler by way of CMake, which reads them once.
+TEST_F(Makefile, ChangedFlagsOfTheEnvironmentReachCMake) {
+  make("build");
+  for (const char* flags : {"-O1 -DX=1", ""}) {
+    ::setenv("CXXFLAGS", flags, 1);
+    EXPECT_THAT(make("-n build").text, HasSubstr("--fresh")) << flags;
+    EXPECT_EQ(make("build").code, 0);
+    expect_kept("build");
+  }
+  ::unsetenv("CXXFLAGS");
+}
+
+TEST_F(Makefile, WhatCouldNotBeConfiguredIsConfiguredAgain) {
+  make("build");
+  std::ofstream(checkout_ / "broken") << "";
+  const ShellResult broken = make("build HBR_ARCH=x86-64-v3");
+  EXPECT_EQ(broken.code, 2);
+  EXPECT_THAT(broken.text, HasSubstr("it is broken"));
+  EXPECT_THAT(make("-n build").text, HasSubstr("--fresh"));
+  fs::remove(checkout_ / "broken");
+  EXPECT_THAT(make("build").text, HasSubstr("arch native,"));
+  expect_kept("build");
+}
+
+TEST_F(Makefile, PackagesThatNobodyLookedAtAreLookedAtLater) {
+  std::ofstream(checkout_ / ".ci/packages") << "#!/bin/bash\necho packages: $1\n";
+  EXPECT_THAT(make("build").text, HasSubstr("packages: none"));
+  expect_kept("build");
+  EXPECT_THAT(make("build DEPS=auto").text, HasSubstr("packages: auto"));
+  expect_kept("build");
+  EXPECT_THAT(make("build DEPS=auto").text, Not(HasSubstr("packages")));
+}
+
+TEST_F(Makefile, BuildsInOneFolderWaitForEachOther) {
+  std::ofstream(checkout_ / "CMakeLists.txt", std::ios::app)
+      << "add_custom_target(alone COMMAND mkdir busy COMMAND sleep 1 COMMAND rmdir busy)\n"
+         "add_dependencies(programs alone)\n";
+  const std::string one = command(checkout_, "build");
+  const ShellResult two = shell(one + " & " + one + " && wait $! && echo both are built");
+  EXPECT_THAT(two.text, HasSubstr("both are built"));
+  const std::string lock = (checkout_ / "build/.lock").string(), held = (folder_.path() / "held").string();
+  const ShellResult waited = shell("flock " + lock + " bash -c \"touch " + held +
+                                   "; sleep 3\" & until [ -e " + held + " ]; do sleep 0.01; done; " + one);
+  EXPECT_EQ(waited.code, 0) << waited.text;
+  EXPECT_THAT(waited.text, HasSubstr("waiting for another build in build\n"));
 }
 
 TEST_F(Makefile, AVariableThatItDoesNotHeedIsRefused) {
@@ -112,6 +166,23 @@ TEST_F(Makefile, ABuildFolderThatCannotBeWrittenIsTold) {
   const ShellResult outcome = make("build BUILD=/proc/hbr");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.text, HasSubstr("can't write to /proc/hbr: name a folder for the programs with BUILD"));
+}
+
+// Where a file system has no locks a script goes on to fetch.
+TEST(FetchScripts, GoOnWithoutLocks) {
+  const TemporaryFolder folder;
+  const fs::path bin = folder.path() / "bin";
+  fs::create_directories(bin);
+  for (const auto& [name, text] :
+       {std::pair{"flock", "exit 71"}, {"curl", "exit 7"}, {"npm", "echo offline; exit 1"}}) {
+    std::ofstream(bin / name) << "#!/bin/sh\n" << text << '\n';
+    fs::permissions(bin / name, fs::perms::owner_all);
+  }
+  const ShellResult outcome =
+      shell("PATH=" + bin.string() + ":$PATH bash " HBR_SOURCE_DIR "/pipeline/fetch_three.sh " +
+            (folder.path() / "three").string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("neither the mirrors nor npm have it (offline)"));
 }
 
 // Each package that is needed everywhere has a name in each other distribution.

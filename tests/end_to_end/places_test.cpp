@@ -77,10 +77,10 @@ TEST(Places, OtherThingsInThePlaceOfArtifactsAndManifestsGiveWay) {
 // What is not the project's own is left alone, and named.
 TEST(Places, OtherThingsInThePlaceOfItsOwnFoldersAreNamed) {
   FakeFolder folder("own");
-  for (const char* place : {".plan", ".plan/lock", ".plan/hashes.json", "layer_a"}) {
+  for (const char* place : {".plan", ".plan/lock", ".plan/claim", ".plan/hashes.json", "layer_a"}) {
     folder.make();
     fs::remove_all(folder.out() / place);
-    if (std::string(place).ends_with("lock") || std::string(place).ends_with("json"))
+    if (fs::path(place).has_parent_path())
       fs::create_directory(folder.out() / place);
     else
       std::ofstream(folder.out() / place) << "somebody\'s";

@@ -28,6 +28,8 @@ TEST(Retry, GoesOnUntilItIsMadeAndSaysWhy) {
       {"exit 2", "gave exit code 2"},
       {"exit 137", "gave exit code 137, as of a signal: Killed"},
       {"kill -9 $$", "fake_stage was ended by a signal: Killed"},
+      {"kill -ILL $$", "Illegal instruction; built for another processor: build it there, or with HBR_ARCH="},
+      {"exit 132", "as of a signal: Illegal instruction; built for another processor"},
       {"exit 0", "fake_stage succeeded, but left no record of its run"},
       {"\"$@\"; while [ \"$1\" != --output ]; do shift; done; rm \"$2\"; exit 0",
        "fake_stage succeeded, but left nothing at"}};
@@ -191,18 +193,24 @@ TEST(Groups, GoOnWithWhatDoesNotNeedTheFailedOne) {
   EXPECT_EQ(made(outcome), "layer_b/01");
 }
 
+// Before they begin, or while they run.
 TEST(Groups, EndWhereTheMakeThatWantedThemHasEnded) {
   FakeFolder folder("orphans");
+  folder.profile.layer_a.steps = 300;
   ASSERT_EQ(folder.make().code, 0);
-  shell("rm -r " + (folder.out() / "layer_b").string() + "/*.h5 " + (folder.out() / "layer_a").string() +
-        "/*.h5");
-  const std::string claim = (folder.out() / ".plan/claim").string();
-  const ShellResult orphan = folder.make(
-      launcher(folder, "printf 7.8@node9 >" + claim + "; \"$@\"; code=$?; rm " + claim + "; exit $code") +
-      " --group 1000 layer");
-  EXPECT_NE(orphan.code, 0);
-  EXPECT_THAT(orphan.text, HasSubstr("layer_a/00: the make that wanted this has ended"));
-  EXPECT_EQ(made(orphan), "");
+  const std::string out = folder.out().string(), claim = out + "/.plan/claim";
+  shell("rm " + out + "/layer_?/*.h5");
+  const std::string take = "printf 7.8@node9 >" + claim,
+                    begun = "compgen -G \"" + out + "/layer_a/.checkpoint-*\" >/dev/null";
+  for (const std::string& meanwhile :
+       {take + "; ", "(for i in {1..500}; do " + begun + " && break; sleep 0.01; done; " + take + ") & "}) {
+    const ShellResult orphan =
+        folder.make(launcher(folder, meanwhile + "\"$@\"; code=$?; rm " + claim + "; exit $code") +
+                    " --group 1000 layer");
+    EXPECT_NE(orphan.code, 0);
+    EXPECT_THAT(orphan.text, HasSubstr("layer_a/00: the make that wanted this has ended"));
+    EXPECT_EQ(made(orphan), "");
+  }
 }
 
 }  // namespace

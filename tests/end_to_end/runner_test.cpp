@@ -5,7 +5,7 @@
 #include <csignal>
 
 #include "pipeline/artifact/manifest.h"
-#include "tests/end_to_end/fake_folder.h"
+#include "tests/end_to_end/launcher.h"
 
 namespace hbr {
 namespace {
@@ -148,6 +148,23 @@ TEST(Runner, ADamagedArtifactIsToldAndMadeAgain) {
   EXPECT_EQ(made(folder.make()), "sum");
 }
 
+TEST(Runner, AnAuditOfNothingIsNoSuccess) {
+  FakeFolder folder("nothing_to_audit");
+  const ShellResult audit = shell(folder.command("audit"));
+  EXPECT_EQ(audit.code, 1);
+  EXPECT_THAT(audit.text, HasSubstr(": 0 artifacts read again (0.0 MB), 7 missing, 0 not as they should be; "
+                                    "is this OUT a folder of this PROFILE"));
+}
+
+TEST(Runner, WhatKilledPlansLeftGoes) {
+  FakeFolder folder("slices");
+  folder.make();
+  const fs::path left = folder.out() / ".plan/slices/layer_a/.tmp-77-00.json";
+  std::ofstream(left) << "x";
+  EXPECT_EQ(made(folder.make()), "");
+  EXPECT_FALSE(fs::exists(left));
+}
+
 TEST(Runner, OtherBytesOfTheSameIngredientsAreTold) {
   FakeFolder folder("reproducible");
   folder.make();
@@ -188,9 +205,12 @@ TEST(Runner, AFailingStageLeavesNothing) {
 
 TEST(Runner, LaunchWordsStandBeforeEveryStage) {
   FakeFolder folder("launch");
-  const ShellResult outcome = folder.make("--launch \"env FAKE=1 nice -n 1\" base");
+  const fs::path seen = folder.path / "seen";
+  const ShellResult outcome = folder.make(
+      launcher(folder, "echo $1 $2 >>" + seen.string() + "; shift 2; exec \"$@\"") + "\" two words\" base");
   EXPECT_EQ(outcome.code, 0) << outcome.text;
   EXPECT_EQ(made(outcome), "base");
+  EXPECT_EQ(read_whole(seen), "two words\n");
   EXPECT_EQ(made(folder.make("--threads 1 base")), "");  // neither is part of the key
   folder.profile.base.number = 7;
   EXPECT_NE(folder.make("--launch no-such-launcher base").code, 0);

@@ -62,7 +62,7 @@ class UserValues : public testing::Test {
                    bool by_environment) {
     std::string words, others;
     for (const char* name : {"OUT", "PROFILE", "BUILD", "LAUNCH", "RETRY", "THREADS", "REP", "MNIST_DIR",
-                             "URDF", "MESHES", "POSE", "FORMAT", "STAGE", "TO", "A", "B"})
+                             "URDF", "MESHES", "POSE", "FORMAT", "STAGE", "TO", "A", "B", "GROUP", "PREFIX"})
       if (!values.contains(name)) others += std::string(" -u ") + name;
     for (const auto& [name, value] : values) {
       given_.push_back((by_environment ? "" : "GIVEN_") + name);
@@ -111,7 +111,23 @@ TEST_F(UserValues, ReachTheProgramsLetterByLetter) {
               .text,
           HasSubstr("<robot><" + odd + "><" + odd + "><" + odd + "><a=1><*=2>"));
       EXPECT_THAT(make("help", {{"OUT", odd}}, by_environment).text, HasSubstr("OUT=" + odd + "   where"));
+      EXPECT_THAT(make("help", {{"PREFIX", odd}}, by_environment).text, HasSubstr("PREFIX=" + odd + "\n"));
     }
+}
+
+// Some shells export the user's group so.
+TEST_F(UserValues, AGroupOfTheEnvironmentIsNoneOfStages) {
+  EXPECT_THAT(make("all", {{"GROUP", "users"}}, true).text, HasSubstr("<hbr><make><--group><0>"));
+  EXPECT_THAT(make("all", {{"GROUP", "7"}}, false).text, HasSubstr("<hbr><make><--group><7>"));
+}
+
+// The folder may be there from a time when nothing could be fetched.
+TEST_F(UserValues, ThreeIsFetchedForARobotUntilItIsThere) {
+  program(checkout_ / "pipeline/fetch_three.sh", "echo fetches into $1; exit 2");
+  fs::create_directories(checkout_ / ".cache/three");
+  const ShellResult outcome = make("robot", {{"URDF", "a.urdf"}}, false);
+  EXPECT_THAT(outcome.text, HasSubstr("fetches into .cache/three\n"));
+  EXPECT_THAT(outcome.text, HasSubstr("<robot><a.urdf>"));
 }
 
 TEST_F(UserValues, OutFollowsTheProfilesName) {
@@ -136,6 +152,8 @@ TEST_F(UserValues, WhatCanNotBeHandedOnIsRefusedInOneLine) {
   EXPECT_THAT(refused("status", {{"OUT", "-x"}}), HasSubstr("OUT is '-x': write ./-x"));
   EXPECT_THAT(refused("status", {{"OUT", "~/x"}}), HasSubstr("the shell did not replace the ~"));
   EXPECT_THAT(refused("status", {{"OUT", "a\nb"}}), HasSubstr("OUT has a line break in it"));
+  EXPECT_THAT(refused("status", {{"LAUNCH", "a\nb"}}), HasSubstr("LAUNCH has a line break in it"));
+  EXPECT_THAT(refused("install", {{"PREFIX", "~/x"}}), HasSubstr("PREFIX is '~/x': the shell did not"));
   EXPECT_THAT(refused("status", {{"OUT", ""}}), HasSubstr("OUT is empty"));
   EXPECT_THAT(refused("status", {{"PROFILE", ""}}), HasSubstr("PROFILE is empty"));
   EXPECT_THAT(refused("build", {{"BUILD", "a b"}}), HasSubstr("may have no space in its path"));
@@ -156,7 +174,6 @@ TEST_F(UserValues, AnUnwritableBuildIsUsedAsItIs) {
         entry.path(),
         fs::perms::group_read | fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec,
         fs::perm_options::add);
-  fs::remove(checkout_ / "build/.packages");
   for (const char* goal : {"status", "audit", "verify", "all", "robot"}) {
     const ShellResult outcome = shell(
         "env -u OUT -u PROFILE -u BUILD -u DEPS setpriv --reuid=65534 --regid=65534 --clear-groups make -C " +

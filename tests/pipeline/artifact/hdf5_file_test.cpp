@@ -1,7 +1,10 @@
 #include "pipeline/artifact/hdf5_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -121,6 +124,15 @@ TEST_F(Hdf5File, SaysWhatIsNotAsExpected) {
   std::ofstream(file("text.h5")) << "not a repertoire\n";
   EXPECT_THAT(complaint([&] { Hdf5Reader(file("text.h5")); }), HasSubstr("not an HDF5 file"));
   EXPECT_THAT(complaint([&] { Hdf5Writer(folder_ / "no" / "a.h5"); }), HasSubstr("No such file"));
+}
+
+// As where a file system has no locks.
+TEST_F(Hdf5File, IsReadWithoutALock) {
+  write_example(file("a.h5"), 10);
+  const int locked = ::open(file("a.h5").c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(locked, LOCK_EX), 0);
+  EXPECT_EQ(Hdf5Reader(file("a.h5")).number_attribute("spacing"), 0.1);
+  ::close(locked);
 }
 
 // Nothing is stored of it that its shape could be compared with, and a reader may make room for its columns.

@@ -1,7 +1,10 @@
 #include "pipeline/artifact/unit_columns.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include "pipeline/core/check.h"
 #include "tests/support/temporary_folder.h"
@@ -30,7 +33,10 @@ TEST_F(UnitColumnsTest, ComeBackAsTheyWereWritten) {
     write_value_meaning(out, "objective", {"minus what it costs", "rad^2"});
     out.close();
   }
+  const int locked = ::open(file("a.h5").c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(locked, LOCK_EX), 0);  // which nobody heeds
   const UnitColumns columns = read_unit_columns(file("a.h5"), "group/solution");
+  ::close(locked);
   EXPECT_EQ(columns.names, kColumns.names);
   EXPECT_EQ(columns.units, kColumns.units);
   EXPECT_EQ(columns.low, -1);

@@ -34,6 +34,8 @@ TEST(FileError, SaysWhatToDo) {
   }
   EXPECT_EQ(std::string(file_error("/file", "can't read", ENOENT).what()),
             "/file: can't read: No such file or directory");
+  EXPECT_EQ(std::string(file_error("file", "can't read", ENOENT).what()),
+            "file: can't read: No such file or directory");
 }
 
 TEST(FileError, OfTwoPathsNamesWhereItGoes) {

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <system_error>
 
 #include "pipeline/core/check.h"
 #include "pipeline/process/bytes.h"
@@ -31,6 +33,21 @@ TEST(Child, IsAProgramThatIsThere) {
               ThrowsMessage<InputError>(HasSubstr("can't start no-such-program-here: No such file")));
   EXPECT_THAT([] { start_program({{"/dev/null"}}); },
               ThrowsMessage<InputError>(HasSubstr("can't start /dev/null: Permission denied")));
+}
+
+// What the machine lacks is not the fault of what was to be started.
+TEST(Child, WithoutResourcesIsNoInputError) {
+  const Ending ending = wait_for(start_work([] {
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_NOFILE, &none);
+    try {
+      start_program({{"true"}});
+    } catch (const std::system_error& error) {
+      return error.code() == std::errc::too_many_files_open ? 0 : 2;
+    }
+    return 1;
+  }));
+  EXPECT_EQ(ending.exit_code, 0);
 }
 
 TEST(Child, BeginsWithNoSignalBlocked) {
@@ -72,6 +89,25 @@ TEST(Output, IsOfTheEnvironmentThatIsGiven) {
   EXPECT_EQ(output_of({{"env"}, {"HBR_COLOUR=blue", "HBR_SIZE=3"}}).text, "HBR_COLOUR=blue\nHBR_SIZE=3\n");
   ::setenv("HBR_COLOUR", "red", 1);
   EXPECT_EQ(output_of({{"printenv", "HBR_COLOUR"}}).text, "red\n");
+}
+
+// The files take the numbers of those that are closed.
+TEST(Output, IsToldWithoutAStandardInputToo) {
+  const Ending ending = wait_for(start_work([] {
+    ::close(STDIN_FILENO);
+    return output_of({{"cat"}}, "told").text == "told" ? 0 : 1;
+  }));
+  EXPECT_EQ(ending.exit_code, 0);
+}
+
+// nohup make &
+TEST(RunChild, IgnoresWhatItsProcessIgnores) {
+  const Ending ending = wait_for(start_work([] {
+    std::signal(SIGHUP, SIG_IGN);
+    const ChildResult result = run_child({"sh", "-c", "kill -HUP $PPID; exit 5"});
+    return result.exit_code == 5 && !result.stopped ? 0 : 1;
+  }));
+  EXPECT_EQ(ending.exit_code, 0);
 }
 
 // In a process of its own: whoever was asked to end starts nothing any more.
