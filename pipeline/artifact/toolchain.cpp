@@ -50,12 +50,12 @@ const char* processor() {
 nlohmann::json toolchain() {
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
-  return {
-      {"compiler", compiler()},
-      {"flags", HBR_FLAGS},
-      {"architecture", kArchitecture},
-      {"processor", processor()},
-      {"libraries", fmt::format("glibc {}, HDF5 {}.{}.{}", gnu_get_libc_version(), major, minor, release)}};
+  return {{"compiler", compiler()},
+          {"flags", HBR_FLAGS},
+          {"architecture", kArchitecture},
+          {"processor", processor()},
+          {"libraries", fmt::format("glibc {}, HDF5 {}.{}.{}, {}", gnu_get_libc_version(), major, minor,
+                                    release, HBR_LIBRARIES)}};
 }
 
 }  // namespace hbr::inline artifact

@@ -19,7 +19,7 @@ struct Entry {
 };
 
 // In the order of the enumeration; behind them what words have in place of some.
-constexpr std::array<Entry, 12> kColours = {{{"ink", 0x010203, 0x22262b},
+constexpr std::array<Entry, 15> kColours = {{{"ink", 0x010203, 0x22262b},
                                              {"faint", 0x040506, 0xd9dce1},
                                              {"blue", 0x0072b2, 0x0072b2},
                                              {"orange", 0xe69f00, 0xe69f00},
@@ -29,8 +29,11 @@ constexpr std::array<Entry, 12> kColours = {{{"ink", 0x010203, 0x22262b},
                                              {"sky", 0x56b4e9, 0x56b4e9},
                                              {"grey", 0x7a8088, 0x7a8088},
                                              {"orange-words", 0x9c6700, 0x9c6700},
+                                             {"green-words", 0x007a59, 0x007a59},
                                              {"vermilion-words", 0xc04f00, 0xc04f00},
-                                             {"sky-words", 0x2279b0, 0x2279b0}}};
+                                             {"purple-words", 0xa3457e, 0xa3457e},
+                                             {"sky-words", 0x2279b0, 0x2279b0},
+                                             {"grey-words", 0x666d75, 0x666d75}}};
 
 std::string hex(std::uint32_t value) { return fmt::format("#{:06x}", value); }
 

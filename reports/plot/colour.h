@@ -12,7 +12,7 @@ enum class Colour { ink, faint, blue, orange, green, vermilion, purple, sky, gre
 
 // "#0072b2": for gnuplot and hand-drawn SVG alike.
 std::string hex(Colour colour);
-// The same for words: orange, vermilion and sky are darker there, or they could not be read on white.
+// The same for words: most are darker there, or they could not be read on white.
 std::string hex_of_words(Colour colour);
 
 // Every "rgb(r, g, b)" and "#rrggbb" of `svg` that is one of the colours becomes the CSS variable

@@ -122,7 +122,8 @@ std::string plot_head(double width, const std::string& unit, double right_margin
       "unset key\n"
       "set label {8} at screen 0.01, screen {9} left textcolor rgb '{10}'\n",
       width, kPlotHeight, kLeft / width, 1 - right_margin / width, 1 - kTop / kPlotHeight,
-      bottom_margin / kPlotHeight, ink, faint, gnuplot_quoted(unit), 1 - 11 / kPlotHeight, hex(Colour::grey));
+      bottom_margin / kPlotHeight, ink, faint, gnuplot_quoted(unit), 1 - 11 / kPlotHeight,
+      hex_of_words(Colour::grey));
 }
 
 }  // namespace hbr::inline reports

@@ -77,7 +77,7 @@ void describe(Fields& f, DynamicsTable& s) {
   f.number("holding_hz", s.holding_hz, Range{0.01, 1000},
            "how stiff the other joints of the whole body are, Hz");
   f.number("lightest", s.lightest, Range{0, 1e3},
-           "joints that move less inertia stay locked in the whole body, kg m^2");
+           "joints that move less inertia stay locked in the whole body unless they draw, kg m^2");
 }
 
 }  // namespace hbr::inline stages

@@ -46,8 +46,7 @@ DrawingServos::DrawingServos(std::shared_ptr<const Body> body, const RobotSettin
   for (const std::string& joint : robot.joints) {
     const auto at = std::ranges::find(body_->moving(), joint);
     if (at == body_->moving().end())
-      throw InputError("robot '{}': joint '{}' moves less than dynamics.lightest; expected a lower one",
-                       robot.name, joint);
+      throw InputError("robot '{}': joint '{}' draws, but this body can not move it", robot.name, joint);
     drawing_.push_back(static_cast<int>(at - body_->moving().begin()));
   }
   if (gears.empty()) return;
@@ -78,8 +77,10 @@ PacedPath path_within_limits(const std::vector<double>& joints, std::vector<doub
 }
 
 std::shared_ptr<const Body> whole_body(const RobotModel& model, const RobotSettings& robot, double lightest) {
-  const std::vector<std::string> joints = joints_with_inertia(model, robot.rest(), lightest);
-  if (std::ranges::is_permutation(joints, robot.joints) && robot.stands_on.empty()) return nullptr;
+  std::vector<std::string> joints = joints_with_inertia(model, robot.rest(), lightest);
+  for (const std::string& draws : robot.joints)
+    if (std::ranges::find(joints, draws) == joints.end()) joints.push_back(draws);
+  if (joints.size() == robot.joints.size() && robot.stands_on.empty()) return nullptr;
   return std::make_shared<const Body>(model, joints, robot.rest(), robot.stands_on);
 }
 

@@ -66,8 +66,8 @@ class DrawingServos {
 PacedPath path_within_limits(const std::vector<double>& joints, std::vector<double> times, double smoothing,
                              const std::vector<const DrawingServos*>& bodies, double every, double longest);
 
-// The robot with all joints that move at least that inertia, kg m^2, on the link that it stands on; none
-// where those that draw are all that there is.
+// The robot with all joints that move at least that inertia, kg m^2, and those that draw, on the link that it
+// stands on; none where those that draw are all that there is.
 std::shared_ptr<const Body> whole_body(const RobotModel& model, const RobotSettings& robot, double lightest);
 
 }  // namespace hbr::inline robots

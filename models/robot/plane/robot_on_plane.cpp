@@ -7,9 +7,12 @@
 namespace hbr::inline robots {
 namespace {
 
-void refuse_rest_beyond_limits(const RobotSettings& settings, const RobotModel& model) {
+void refuse_impossible_rest(const RobotSettings& settings, const RobotModel& model) {
   for (const auto& [name, position] : settings.rest()) {
     const int at = model.joint(name);
+    if (const int leader = model.joints[at].mimic; leader >= 0)
+      throw InputError("robot '{}': rest_joints has '{}', which mimics joint '{}' in {}; name that one",
+                       settings.name, name, model.joints[leader].name, model.path.string());
     const double stands = model.joints[at].within_a_turn(position);
     const auto [lower, upper] = model.range(at);
     if (stands < lower || stands > upper)
@@ -56,7 +59,7 @@ void RobotOnPlane::pens(Eigen::Index n, const double* joints, Pen* pens) const {
 RobotOnPlane make_robot(const RobotSettings& settings, const DrawingPlane& plane) {
   if (settings.joints.empty()) throw InputError("robot '{}': no joints to draw with", settings.name);
   RobotModel model = load_urdf(settings.urdf);
-  refuse_rest_beyond_limits(settings, model);
+  refuse_impossible_rest(settings, model);
   auto body = std::make_shared<const Body>(std::move(model), settings.joints, settings.rest());
   return RobotOnPlane(settings.name, std::move(body), settings.tip_link, plane, settings.off_plane_tolerance);
 }

@@ -25,5 +25,12 @@ TEST(Toolchain, FlagsAreThoseOfTheCode) {
   EXPECT_THAT(flags, testing::Not(testing::ContainsRegex("-W|-g[0-9]?( |$)|prefix-map|" HBR_SOURCE_DIR)));
 }
 
+TEST(Toolchain, NamesTheLibrariesThatMakeBytes) {
+  const std::string libraries = toolchain().at("libraries");
+  for (const char* name :
+       {"glibc", "HDF5", "Eigen", "OpenCV", "zlib", "Simbody", "Ceres", "assimp", "meshoptimizer"})
+    EXPECT_THAT(libraries, testing::ContainsRegex(std::string("(^|, )") + name + " [0-9]+\\.[0-9]"));
+}
+
 }  // namespace
 }  // namespace hbr

@@ -116,6 +116,25 @@ TEST(MakeRobot, RefusesARestBeyondTheLimits) {
                   "robot 'mine': rest_positions has joint 'j' at 1.5; expected -1 to 1, its limits in ")));
 }
 
+TEST(MakeRobot, RefusesARestOfWhatFollows) {
+  const TestFolder folder;
+  RobotSettings settings;
+  settings.name = "mine";
+  settings.urdf = folder
+                      .write("a.urdf", robot(link("a") + link("b") + link("c") + joint("j", "a", "b") +
+                                             joint("k", "b", "c", "revolute",
+                                                   "<limit lower='-1' upper='1' effort='1' velocity='1'/>"
+                                                   "<mimic joint='j'/>")))
+                      .string();
+  settings.tip_link = "c";
+  settings.joints = {"j"};
+  settings.rest_joints = {"k"};
+  settings.rest_positions = {0.5};
+  EXPECT_THAT([&] { make_robot(settings, kPlane); },
+              testing::ThrowsMessage<InputError>(
+                  testing::HasSubstr("robot 'mine': rest_joints has 'k', which mimics joint 'j' in ")));
+}
+
 TEST(MakeRobot, HasMetresForWhatSlides) {
   const TestFolder folder;
   std::string text = robot(link("a") + link("b") + link("c") + joint("j", "a", "b") + joint("k", "b", "c"));
