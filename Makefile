@@ -88,7 +88,7 @@ $(foreach name,$(places) LAUNCH,$(call refuse_if,$(findstring $(newline),$($(nam
 $(foreach name,$(places),\
   $(call refuse_if,$(filter -%,$(firstword $($(name)))),$(name) is '$($(name))': write ./$($(name)))\
   $(call refuse_if,$(filter ~%,$(firstword $($(name)))),$(name) is '$($(name))': the shell did not replace the ~; write $$HOME))
-$(foreach name,PROFILE OUT BUILD,$(call refuse_if,$(if $(strip $($(name))),,empty),$(name) is empty))
+$(foreach name,PROFILE OUT BUILD,$(call refuse_if,$(if $(strip $($(name))),,empty),$(name) is empty: leave it out for its default, or name one (`make help`)))
 
 programs := $(BUILD)/release/bin
 arguments := --profile "$$GIVEN_PROFILE" --out "$$GIVEN_OUT" --threads "$$GIVEN_THREADS" --launch "$$GIVEN_LAUNCH" \
@@ -209,8 +209,9 @@ frozen := $(if $(wildcard $(programs)/hbr),$(shell [ -w $(BUILD)/release ] || ec
 ready := $(if $(frozen),,$(packages) $(BUILD)/release/build.ninja)
 made_ready = $(if $(frozen),echo 'the programs in $(BUILD) are used as they are: you can not write there' >&2,\
   $(call compile,release,$(1)))
+# Where a table is printed, Ninja's steps are none of its lines.
 build: $(ready)
-	@$(call made_ready,programs)
+	@$(call made_ready,programs) $(if $(filter keys graph,$(MAKECMDGOALS)),>&2)
 
 # The experiment -------------------------------------------------------------------------------------------------
 
@@ -218,6 +219,7 @@ build: $(ready)
 all $(stages): experiment
 	@[ ! -e "$$GIVEN_OUT/page.json" ] || $(if $(filter all,$@),,[ "$$GIVEN_OUT/report/index.html" -nt "$$GIVEN_OUT/page.json" ] ||) \
 	  $(programs)/publish "$$GIVEN_OUT/page" "$$GIVEN_OUT" "$$GIVEN_OUT/report"
+	@$(if $(filter all,$@),[ ! -e "$$GIVEN_OUT/report/index.html" ] || printf 'the report: %s\n' "$$GIVEN_OUT/report/index.html",:)
 
 data: $(packages)
 	@DEPS="$$GIVEN_DEPS" pipeline/fetch_mnist.sh $(mnist)

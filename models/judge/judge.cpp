@@ -107,8 +107,9 @@ Verdicts Judge::judge(std::size_t n, const std::uint8_t* images, Workers& worker
 void Judge::read_training_images(const LabelledImages& train, Workers& workers) {
   const auto wanted = static_cast<std::size_t>(settings_.training_images);
   if (train.size() < wanted)
-    throw InputError("judge: training_images is {}; expected at most {}, the dataset's", wanted,
-                     train.size());
+    throw InputError(
+        "[judge] training_images is {}; expected at most {}, the dataset's: set it in the profile", wanted,
+        train.size());
   LabelledImages images = subset(train, wanted, [&](std::size_t i) { return i * train.size() / wanted; });
   features_ = hog_features(images.size(), images.images.data(), workers);
   labels_ = std::move(images.labels);

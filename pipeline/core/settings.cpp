@@ -1,5 +1,7 @@
 #include "pipeline/core/settings.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -112,9 +114,13 @@ void SettingsReader::finish() const {
                        did_you_mean(key, candidates));
     }
   if (!missing_.empty()) {
+    std::vector<std::string> others;
+    for (std::size_t i = 1; i < missing_.size(); ++i)
+      others.push_back(fmt::format("'{}' ({})", missing_[i].first, missing_[i].second));
     const std::string pointer = pointer_ + "/" + missing_[0].first;
-    throw InputError("{}: missing key '{}' ({})", place(source_, source_.places, pointer_), dotted(pointer),
-                     missing_[0].second);
+    throw InputError("{}: missing key '{}' ({}){}{}", place(source_, source_.places, pointer_),
+                     dotted(pointer), missing_[0].second, others.empty() ? "" : ", and of the same table ",
+                     fmt::join(others, ", "));
   }
 }
 

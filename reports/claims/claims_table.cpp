@@ -80,9 +80,10 @@ std::string claims_table(const json& claims) {
           "difference, p &lt; 0.05; else the check is undecided), the dot this run. p: two-sided rank-sum "
           "test over the replications (exact for up to " +
               std::to_string(kSmall) +
-              " values without ties, else the normal approximation, corrected for ties and continuity, as in "
-              "the paper), adjusted for all the tests here that decide (Holm 1979); none is given for fewer "
-              "than " +
+              " values, else the normal approximation, corrected for ties and continuity, as in "
+              "the paper), adjusted for all the tests here that decide (Holm 1979) unless it is the least "
+              "that so "
+              "few replications can give, which counts as small enough; none is given for fewer than " +
               std::to_string(kFewestToTest) +
               " replications. In brackets: of what is computed from two quantities the 95 % confidence "
               "interval, by bootstrap; of one quantity the quartiles over the replications.",

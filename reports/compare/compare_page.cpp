@@ -232,7 +232,8 @@ std::string compare_page(const ComparedRun& a, const ComparedRun& b) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>Two runs compared: {0} and {1}</title>\n<style>\n{2}</style>\n</head>\n<body>\n"
+      "<title>Two runs compared: {0} and {1}</title>\n<style>\n{2}</style>\n"
+      "<noscript><style>#theme {{ display: none; }}</style></noscript>\n</head>\n<body>\n"
       "<header><div class=\"inner\">\n<p class=\"kicker\">Two runs compared</p>\n<h1>{0} and {1}</h1>\n"
       "</div></header>\n<nav aria-label=\"Sections\"><div class=\"inner\">\n<a href=\"#summary\">Summary</a> "
       "<a href=\"#settings\">Settings</a> <a href=\"#claims\">Claims</a> <a "

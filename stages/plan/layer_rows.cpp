@@ -115,6 +115,13 @@ class RowReader {
 
   const LayerKind& kind_of(const std::string& pointer, const json& table) const {
     const std::string name = text(pointer, table, "kind");
+    if (name.empty()) {
+      const std::string layer = pointer.substr(pointer.rfind('/') + 1);
+      std::vector<std::string> others = names();
+      std::erase(others, layer);
+      fail(pointer, fmt::format("layer '{}' says no kind{}; a layer of your own needs one of {}", layer,
+                                did_you_mean(layer, others), fmt::join(names_of(layer_kinds()), ", ")));
+    }
     const auto kind = std::ranges::find(layer_kinds(), name, &LayerKind::name);
     if (kind == layer_kinds().end())
       fail(pointer + (table.contains("kind") ? "/kind" : ""),

@@ -54,6 +54,10 @@ std::string profile_keys(const SettingsSource& profile) {
       text += line_of(key, value.empty() ? value_of(defaults, key.name) : value);
     }
   }
+  text += "\nWhat the layers of this profile say themselves, in place of what stands above\n";
+  for (const auto& [name, own] : profile.values.value("layers", json::object()).items())
+    for (const auto& [key, value] : own.items())
+      text += fmt::format("layers.{}.{} = {}\n", name, key, value.dump());
   return text;
 }
 

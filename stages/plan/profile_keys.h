@@ -7,7 +7,8 @@
 
 namespace hbr::inline stages {
 
-// A table of the profile after the other, and after them what each kind of layers asks for; a line a key.
+// A table of the profile after the other, after them what each kind of layers asks for, a line a key, and
+// what the profile's layers say of it. "..." where there is no value that all of them have.
 std::string profile_keys(const SettingsSource& profile);
 
 }  // namespace hbr::inline stages

@@ -101,18 +101,21 @@ void write_qdax(const StoredRepertoire& repertoire, const std::filesystem::path&
   const Rows& centroids = repertoire.centroids;
   Rows genotypes = Rows::Zero(centroids.rows(), elites.solution.cols()),
        descriptors = Rows::Zero(centroids.rows(), centroids.cols()),
-       fitnesses = Rows::Constant(centroids.rows(), 1, -std::numeric_limits<float>::infinity());
+       fitnesses = Rows::Constant(centroids.rows(), 1, -std::numeric_limits<float>::infinity()),
+       lengths = Rows::Zero(centroids.rows(), 1);
   for (Eigen::Index i = 0; i < elites.size(); ++i) {
     const Eigen::Index cell = repertoire.cell[static_cast<std::size_t>(i)];
     genotypes.row(cell) = elites.solution.row(i);
     descriptors.row(cell) = elites.measures.row(i);
     fitnesses(cell, 0) = elites.objective[i];
+    lengths(cell, 0) = static_cast<float>(elites.genes(i));
   }
   std::filesystem::create_directories(folder);
   write_file(folder / "genotypes.npy", npy(genotypes));
   write_file(folder / "fitnesses.npy", npy(fitnesses));
   write_file(folder / "descriptors.npy", npy(descriptors));
   write_file(folder / "centroids.npy", npy(centroids));
+  if (!elites.length.empty()) write_file(folder / "lengths.npy", npy(lengths));
 }
 
 }  // namespace hbr::inline stages

@@ -250,7 +250,7 @@ int main(int argc, char** argv) {
   return hbr::guarded_main("robot", [&] {
     if (argc < 3 || !*argv[1])
       throw InputError(
-          "expected a URDF and a folder: make robot URDF=path [MESHES=folder] [POSE=\"JOINT=rad ...\"]");
+          "no URDF is named; expected make robot URDF=arm.urdf [MESHES=folder] [POSE=\"JOINT=rad ...\"]");
     std::map<std::string, double> pose;
     for (int i = 4; i < argc; ++i)
       if (!pose.insert(placed(argv[i])).second) throw InputError("'{}': its joint is given twice", argv[i]);

@@ -50,13 +50,14 @@ export const explorerChecks = [
   ["a click goes into the address, a reload and the way back come to the same elite", async (page) => {
     const middle = (await page.evaluate(`(() => { document.getElementById("explorer").scrollIntoView({ behavior: "instant" });
       return [...document.querySelectorAll(".map")].map((map) => { const b = map.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 3]; }); })()`));
-    const seen = [];
+    const seen = [], steps = await page.evaluate("history.length");
     for (const [x, y] of middle) {
       await page.click(x, y);
       seen.push([await page.evaluate("location.hash"), await page.evaluate(kHeading)]);
     }
     assert.match(seen[0][0], /^#hbr\/0\/\d+$/);
     assert.match(seen[1][0], /^#flat\/0\/\d+$/);
+    assert.equal(await page.evaluate("history.length"), steps + 2, "each click is a step back");
     for (const [hash, heading] of seen) assert.ok(heading.endsWith("· " + hash.split("/")[2]), heading);
     await page.go(null, kReady);
     assert.equal(await page.evaluate(kHeading), seen[1][1]);
@@ -78,7 +79,7 @@ export const explorerChecks = [
     await follow(page, `#hbr/0/${second}`);
     await page.evaluate("deliver()");
     await wait(300);
-    assert.ok((await page.evaluate(kHeading)).endsWith("· " + second));
+    assert.equal((await page.evaluate(kHeading)).split("· ")[1], String(second));
     assert.ok((await page.evaluate(text(".python"))).includes("/00.h5"));
   }, "own"],
 
@@ -86,13 +87,20 @@ export const explorerChecks = [
     const { words, arrays } = packOf(html, "explorer-00");
     const last = (group) => arrays[group + "/id"].values.at(-1);
     await page.go(`${url}#flat/0/${last("flat")}`, kReady);
+    await page.holds("(({ top, bottom }) => top < innerHeight / 2 && bottom > innerHeight / 2)(document.getElementById('explorer').getBoundingClientRect())");
     for (const { group } of words.layers) {
       await follow(page, `#${group}/0/${last(group)}`);
       const genes = arrays[group + "/length"]?.values.at(-1) ?? arrays[group + "/solution"].shape[1];
       assert.equal(await page.evaluate("document.querySelectorAll('.genome tbody tr').length"), genes, group);
     }
-    await page.go(url + "?nobody#hbr/0/999999999", kReady);
-    assert.ok(!(await page.evaluate(kHeading)).includes("999999999"));
+    // What is not there is told, beside the first elite that is.
+    for (const [visit, hash] of ["#hbr/0/999999999", "#nobody/0/12", "#hbr/99/1"].entries()) {
+      await page.go(`${url}?visit=${visit}${hash}`, kReady);
+      assert.match(await page.evaluate(kHeading), /· \d+$/);
+      assert.ok((await page.evaluate(text(".absent"))).startsWith(`${hash} is not in this run’s explorer`), hash);
+    }
+    await follow(page, `#flat/0/${last("flat")}`);
+    assert.equal(await page.evaluate(text(".absent")), "");
   }, "own"],
 
   ["the keyboard reaches every control, and arrow keys go to neighbours", async (page, { html }) => {
@@ -101,10 +109,10 @@ export const explorerChecks = [
     await page.evaluate(`window.passed = []; ${reachable}[0].focus()`);
     for (let k = 0; k < controls; ++k) {
       await page.evaluate("passed.push(document.activeElement)");
-      assert.ok(await page.evaluate("document.activeElement.matches(':focus-visible') && (getComputedStyle(document.activeElement).outlineStyle !== 'none')"), `control ${k} shows no focus`);
+      assert.ok(await page.evaluate("document.activeElement.matches(':focus-visible') && (getComputedStyle(document.activeElement).outlineStyle !== 'none')"), `no focus is shown by ${await page.evaluate("document.activeElement.cloneNode().outerHTML")}`);
       await page.press("Tab");
     }
-    assert.equal(await page.evaluate(`${reachable}.every((e) => passed.includes(e))`), true);
+    assert.deepEqual(await page.evaluate(`${reachable}.filter((e) => !passed.includes(e)).map((e) => e.cloneNode().outerHTML)`), [], "Tab passes by");
 
     const { arrays } = packOf(html, "explorer-00"), ids = arrays["hbr/id"].values, places = arrays["hbr/measures"].values;
     const place = async () => {
@@ -136,14 +144,14 @@ export const explorerChecks = [
       if (${kPlay}.textContent === "Pause") ${kPlay}.click(); ${kPlay}.click()`);
     const first = await page.evaluate(arm);
     await page.holds(`(({ value, max }) => Number(value) > Number(max) / 8)(document.querySelector('[aria-label="Posture"]'))`);
-    assert.notEqual(await page.evaluate(arm), first);
+    assert.ok((await page.evaluate(arm)) !== first, "nothing moves");
     assert.equal(await page.evaluate(`${kPlay}.textContent`), "Pause");
     await page.evaluate(`${kPlay}.click()`);
     const still = await page.evaluate(arm);
     await wait(150);
-    assert.equal(await page.evaluate(arm), still);
+    assert.ok((await page.evaluate(arm)) === still, "it moves while it is paused");
     await page.evaluate(`(() => { const scrub = document.querySelector('[aria-label="Posture"]'); scrub.value = "0"; scrub.dispatchEvent(new Event("input")); })()`);
-    assert.notEqual(await page.evaluate(arm), still);
+    assert.ok((await page.evaluate(arm)) !== still, "the slider does not move it");
   }, "moving"],
 
   ["several addresses one after the other do not hurry the arm", async (page, { html }) => {
@@ -164,9 +172,20 @@ export const explorerChecks = [
     assert.equal(await page.evaluate(`${kPlay}.textContent`), "Play");
     const still = await page.evaluate(arm);
     await wait(150);
-    assert.equal(await page.evaluate(arm), still);
+    assert.ok((await page.evaluate(arm)) === still, "it moves");
     await page.evaluate(`${kPlay}.click()`);
     await page.holds(`${arm} !== ${JSON.stringify(still)}`);
+    const strokes = await page.evaluate(`Promise.all([...document.querySelectorAll("svg")].filter((svg) => svg.querySelector("animate")).map(async (svg) => {
+      const moves = () => { try { svg.querySelector("animate").getStartTime(); return true; } catch { return false; } };
+      const button = svg.parentElement.previousElementSibling, seen = [moves()];
+      for (let k = 0; k < 2; ++k) {
+        button.click();
+        await new Promise((resolve) => setTimeout(resolve, 200));
+        seen.push(moves());
+      }
+      return seen.join(); }))`);
+    assert.ok(strokes.length > 0);
+    assert.deepEqual(strokes.filter((seen) => seen !== "false,true,false"), []);
   }, "desk"],
 
   ["filters and the table keep what the data has", async (page, { html }) => {
@@ -200,6 +219,15 @@ export const explorerChecks = [
     await page.evaluate(choose("Network’s error", "30"));
     assert.deepEqual(await counts(page), expected((group, i) => -of(group, "objective")[i] <= limit));
     const rows = (await table()).slice(1).map((row) => row.split(","));
+    const { descriptor } = words.layers.find(({ group }) => group === "hbr"), span = descriptor.high - descriptor.low;
+    for (const [, , id, parent, ...places] of rows.filter(([layer]) => layer === rows[0][0])) {
+      const at = of("hbr", "id").indexOf(Number(id));
+      assert.equal(Number(parent), of("hbr", "parent")[at], `${id}'s parent`);
+      descriptor.from.forEach((from, d) => {
+        const place = from + ((of("hbr", "measures")[2 * at + d] - descriptor.low) / span) * (descriptor.to[d] - from);
+        assert.ok(Math.abs(Number(places[d]) - place) < 1e-6, `${id}: ${places[d]} in place of ${place}`);
+      });
+    }
     assert.deepEqual(rows.filter(([layer]) => layer === rows[0][0]).map((row) => Number(row[2])),
       of("hbr", "id").filter((_, i) => -of("hbr", "objective")[i] <= limit));
   }, "desk"],
@@ -240,7 +268,7 @@ export const explorerChecks = [
       const places = map.visible.map((row) => map.xy(map.place(row)));
       map.root.remove();
       return places; })()`);
-    assert.ok(places.every(([x, y]) => Number.isFinite(x) && y === places[0][1]));
+    assert.ok(places.every(([x, y]) => Number.isFinite(x) && Number.isFinite(y) && y === places[0][1]));
     assert.ok(new Set(places.map(([x]) => x)).size > 1);
   }, "desk"],
 
@@ -251,7 +279,7 @@ export const explorerChecks = [
         const light = (colour) => { const [r, g, b] = colour.match(/[\\d.]+/g).map((v) => { const s = v / 255; return s <= 0.03928 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4; }); return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
         const paper = (e) => { if (e.previousElementSibling?.matches('circle[fill="#ffffff"]')) return "rgb(255, 255, 255)"; for (; e; e = e.parentElement) { const c = getComputedStyle(e).backgroundColor; if (!/, 0\\)$|transparent/.test(c)) return c; } return "rgb(255, 255, 255)"; };
         const poor = [];
-        for (const [words, ink] of [["#explorer *", "color"], ["main svg text", "fill"]])
+        for (const [words, ink] of [["body :not(svg, svg *)", "color"], ["main svg text", "fill"]])
           for (const e of document.querySelectorAll(words)) {
             if (![...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()) || !e.getClientRects().length) continue;
             const [a, b] = [light(getComputedStyle(e)[ink]), light(paper(e))].sort((x, y) => y - x);

@@ -7,6 +7,17 @@ const claims = "[...document.querySelectorAll('.claims tbody')]";
 const kReady = "!document.getElementById('explorer-app')?.hidden";
 const filter = (verdict) => `document.querySelector('#claims .filters button[value="${verdict}"]').click()`;
 
+// Controls and pictures that no word names, as they stand in the page.
+export async function nameless(page, least) {
+  const { nodes } = await page.send("Accessibility.getFullAXTree");
+  const named = nodes.filter(({ ignored, role }) =>
+    !ignored && ["button", "combobox", "slider", "link", "application", "img", "image"].includes(role?.value));
+  assert.ok(named.length > least, `${named.length} controls and pictures`);
+  const poor = named.filter(({ name }) => !/[\p{L}\d]/u.test(name?.value ?? ""));
+  return Promise.all(poor.map(async ({ backendDOMNodeId }) =>
+    (await page.send("DOM.getOuterHTML", { backendNodeId: backendDOMNodeId })).outerHTML.slice(0, 200)));
+}
+
 export const pageChecks = [
   ["the page is not too large", async (page, { bytes }) => {
     assert.ok(bytes < kMostBytes, `${bytes} bytes`);
@@ -35,8 +46,13 @@ export const pageChecks = [
     assert.deepEqual(shown, all.filter((id) => id !== "explorer"));
     assert.equal(await page.evaluate("document.querySelectorAll('details:not([open])').length"), 0);
     assert.ok(await page.evaluate(`${claims}.every((claim) => claim.getBoundingClientRect().height > 0)`), "a claim is missing");
+    assert.ok(await page.evaluate("[...document.querySelectorAll('.robot')].every((robot) => robot.getBoundingClientRect().height > 0)"), "a robot is missing");
+    assert.deepEqual(await page.evaluate("[...document.querySelectorAll('nav, button, input, select')].filter((e) => e.getClientRects().length).map((e) => e.outerHTML.slice(0, 100))"), []);
+    await page.evaluate("document.documentElement.dataset.theme = 'dark'");
+    assert.equal(await page.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(255, 255, 255)", "dark paper");
     const { data } = await page.send("Page.printToPDF", {});
-    assert.ok(data.length > 100_000, "the printed page is empty");
+    const pages = Buffer.from(data, "base64").toString("latin1").match(/\/Type \/Page\b/g) ?? [];
+    assert.ok(pages.length > 5, `${pages.length} printed pages`);
   }, "own"],
 
   ["each filter shows the claims of its verdict alone", async (page) => {
@@ -85,20 +101,24 @@ export const pageChecks = [
   }, "desk"],
 
   ["every control says what it is", async (page) => {
-    const { nodes } = await page.send("Accessibility.getFullAXTree");
-    const controls = nodes.filter(({ ignored, role }) =>
-      !ignored && ["button", "combobox", "slider", "link", "application", "img"].includes(role?.value));
-    assert.ok(controls.length > 30);
-    for (const { name, role, backendDOMNodeId } of controls)
-      assert.ok(name?.value.trim(), `a ${role.value} has no name (node ${backendDOMNodeId})`);
+    await page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = true");
+    assert.deepEqual(await nameless(page, 100), []);
+    await page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = false");
   }, "desk"],
 
   ["nothing is wider than a phone", async (page) => {
     const views = await page.evaluate("document.querySelectorAll('.explorer-bar .filters button').length");
+    assert.ok(views > 1);
     for (let k = 0; k < views; ++k) {
       await page.evaluate(`document.querySelectorAll('.explorer-bar .filters button')[${k}].click()`);
-      assert.ok(await page.evaluate("document.documentElement.scrollWidth <= innerWidth"), `view ${k}`);
+      assert.ok(await page.evaluate("document.documentElement.scrollWidth <= document.documentElement.clientWidth"), `view ${k}`);
     }
+    await page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = true");
+    const wide = await page.evaluate(`(({ scrollWidth, clientWidth }) => scrollWidth <= clientWidth ? [] :
+      [...document.querySelectorAll("main *")].filter((e) => e.getBoundingClientRect().right > clientWidth && e.parentElement.getBoundingClientRect().right <= clientWidth && !e.closest(".scroll *, svg"))
+        .map((e) => e.tagName + " in " + e.closest("[id]").id))(document.documentElement)`);
+    assert.deepEqual([...new Set(wide)], [], "with all folds open");
+    await page.evaluate("for (const fold of document.querySelectorAll('details')) fold.open = false");
   }, "phone"],
 
   // Or it can't be read without a pointer.
@@ -106,9 +126,9 @@ export const pageChecks = [
     const boxes = await page.evaluate(`[...document.querySelectorAll("main *")].filter((box) =>
       /auto|scroll/.test(getComputedStyle(box).overflow) && box.getBoundingClientRect().height > 0 &&
       (box.scrollWidth > box.clientWidth || box.scrollHeight > box.clientHeight + 1)).map((box) =>
-      [box.className, box.tabIndex >= 0 || !!box.querySelector("a[href], button, input, select, summary")])`);
+      [box.className + " in " + box.closest("[id]").id, box.tabIndex >= 0 || !!box.querySelector("a[href], button, input, select, summary")])`);
     assert.ok(boxes.length > 3);
-    assert.deepEqual(boxes.filter(([, reached]) => !reached), []);
+    assert.deepEqual([...new Set(boxes.filter(([, reached]) => !reached).map(([where]) => where))], []);
   }, "phone"],
 
   // With all folds closed, as it is opened.
@@ -127,5 +147,9 @@ export const pageChecks = [
     };
     assert.equal(await boxes("#explorer-needs"), true);
     for (const idle of ["#explorer-app", "#theme", "#claims .filters"]) assert.equal(await boxes(idle), false, idle);
+    const { nodeIds } = await page.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector: "button, input, select" });
+    for (const nodeId of nodeIds)
+      assert.ok(await page.send("DOM.getBoxModel", { nodeId }).then(() => false, () => true),
+        (await page.send("DOM.getOuterHTML", { nodeId })).outerHTML);
   }, "own"],
 ];

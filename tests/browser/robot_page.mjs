@@ -12,7 +12,7 @@ try {
   await page.size(1200, 900);
   await page.media({ "prefers-color-scheme": "light", "prefers-reduced-motion": "no-preference" });
   await page.go(pathToFileURL(file).href, "document.readyState === 'complete'");
-  assert.ok(await page.evaluate("[...document.images].every((image) => image.naturalWidth > 100)"), "a picture is missing");
+  assert.ok(await page.evaluate("document.images.length > 0 && [...document.images].every((image) => image.naturalWidth > 100)"), "a picture is missing");
   if (html.includes('id="pack-three"')) {
     await page.holds(`Boolean(${kView})`);
     const camera = () => page.evaluate(`${kView}.scene.camera.position.toArray()`);
@@ -20,6 +20,15 @@ try {
     await page.holds(`Math.hypot(...${kView}.scene.camera.position.toArray().map((x, k) => x - ${JSON.stringify(first)}[k])) > 0.05`);
     await page.evaluate("document.querySelector('[data-robot=turn]').click()");
     assert.equal(await page.evaluate(`${kView}.turning`), false, "it does not stop");
+    const stands = await camera();
+    await page.evaluate("new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(resolve))))");
+    assert.deepEqual(await camera(), stands, "it turns on");
+    for (const key of ["ArrowLeft", "ArrowUp"]) {
+      const before = await camera();
+      await page.evaluate("document.querySelector('[data-robot=canvas]').focus()");
+      await page.press(key);
+      assert.notDeepEqual(await camera(), before, `${key} does not turn it`);
+    }
     // A slider moves its joint alone, and with it what hangs on it.
     const moved = await page.evaluate(`(() => {
       const view = ${kView}, ranges = [...document.querySelectorAll("[data-robot=joints] input")], last = ranges.length - 1;
@@ -27,17 +36,19 @@ try {
       ranges[last].value = ranges[last].max;
       ranges[last].dispatchEvent(new Event("input"));
       const after = view.body.frames(view.joints), shown = view.scene.parts.map((part) => part.matrix.toArray());
-      const asked = after.map((f) => [0, 4, 8].map((row) => f[row + 3]));
       return { joints: ranges.length, want: view.body.lower.length, told: ranges[last].getAttribute("aria-valuetext"), value: view.joints[last], upper: view.body.upper[last],
         kept: view.joints.slice(0, last).every((value, k) => value === view.rest[k]),
         moves: JSON.stringify(before) !== JSON.stringify(after),
-        placed: shown.every((m, k) => [12, 13, 14].every((at, axis) => Math.abs(m[at] - asked[k][axis]) < 1e-9)) };
+        placed: shown.every((m, k) => after[k].every((value, i) => Math.abs(m[4 * (i % 4) + Math.floor(i / 4)] - value) < 1e-9)) };
     })()`);
     assert.equal(moved.joints, moved.want);
     assert.match(moved.told, / (m|rad)$/);
     assert.ok(Math.abs(moved.value - moved.upper) < 1e-9 && moved.kept && moved.moves && moved.placed, JSON.stringify(moved));
     await page.evaluate("document.querySelector('[data-robot=reset]').click()");
     assert.ok(await page.evaluate(`${kView}.joints.every((value, k) => value === ${kView}.rest[k])`), "Reset does not");
+    await page.media({ "prefers-reduced-motion": "reduce" });
+    await page.go(null, `Boolean(${kView})`);
+    assert.equal(await page.evaluate(`${kView}.turning`), false, "it turns for who asked for no motion");
   } else {
     assert.ok(html.includes("three.js could not be had"));
   }

@@ -4,6 +4,7 @@ import { execFileSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { packOf } from "./packs.mjs";
+import { nameless } from "./page_checks.mjs";
 
 const kPlayer = "document.getElementById('robots3d').player";
 const kCanvas = "document.querySelector('#robots3d canvas[tabindex]')";
@@ -79,6 +80,7 @@ const checks = [
         stored = points.map((n) => way.slice(from, (from += n)).map((at) => pen[at]));
       }
       assert.equal(found.length, stored.length);
+      assert.deepEqual(found.map((digit) => digit.length), stored.map((digit) => digit.length), name);
       found.forEach((digit, row) => digit.forEach(([x, y], k) => {
         const off = Math.hypot(x - stored[row][k][0], y - stored[row][k][1]);
         assert.ok(off < 1e-5, `${name}, digit ${row}, point ${k}: ${off} m`);
@@ -88,11 +90,14 @@ const checks = [
 
   ["robots and digits are chosen by the keyboard and by an address", async (page, { html }) => {
     await show(page);
+    assert.deepEqual(await nameless(page, 30), []);
     const { words } = packOf(html, "robots3d");
     await choose(page, { robot: words.robots[0].name, replication: "00" });
     await page.evaluate(`${control("robot")}.focus()`);
-    await page.press("ArrowDown");
-    await page.holds(`${kPlayer}.robot === ${JSON.stringify(words.robots[1].name)}`);
+    for (const { name } of words.robots.slice(1)) {
+      await page.press("ArrowDown");
+      await page.holds(`${kPlayer}.robot === ${JSON.stringify(name)}`);
+    }
     const row = await page.evaluate(`${kPlayer}.row`), count = await page.evaluate(`${kPlayer}.digits.id.length`);
     await page.evaluate(`${control("next")}.focus()`);
     await page.press("Enter");
@@ -108,7 +113,15 @@ const checks = [
     await show(page);
     const [row, id] = await page.evaluate(`(({ row, digits: { id } }) => [(row + 1) % id.length, id[(row + 1) % id.length]])(${kPlayer})`);
     await page.evaluate(`unpack("explorer").then(({ words }) => words.replications.unshift("another"))`);
-    await page.evaluate(`location.hash = "#hbr/1/${id}"`);
+    await page.evaluate(`history.replaceState(null, "", "#hbr/1/${id}")`);
+    assert.equal(await page.evaluate(`${kPlayer}.followAddress()`), true, "the address names no digit");
+    assert.equal(await page.evaluate(`${kPlayer}.row`), row);
+    // Which the robots do not hear: the explorer tells them.
+    await choose(page, { row: (row + 1) % (await page.evaluate(`${kPlayer}.digits.id.length`)) });
+    await page.evaluate("dispatchEvent(new PopStateEvent('popstate'))");
+    await page.holds(`${kPlayer}.row === ${row}`);
+    await page.go(`${url}?opened#hbr/0/${id}`, "!document.getElementById('explorer-app')?.hidden");
+    await show(page);
     await page.holds(`${kPlayer}.row === ${row}`);
   }, "own"],
 

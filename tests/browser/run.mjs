@@ -10,6 +10,7 @@ import { robotChecks } from "./robots3d_checks.mjs";
 
 const file = resolve(process.argv[2]), only = process.argv[3];
 const report = { url: "file://" + file, run: process.env.RUN ?? dirname(dirname(file)), html: readFileSync(file, "utf8"), bytes: statSync(file).size };
+const kLongest = 2000;  // characters of a message: a picture's address has ten times as many
 const kTries = 3;  // a browser that is starved by what else runs may be too slow for a check of motion
 // What moves costs more than all else here, so it moves only where motion is checked.
 const kPages = {
@@ -49,20 +50,24 @@ async function begin(browser, kind) {
 
 // What is wrong with the page; nothing where the check holds.
 async function fault(browser, check, kind) {
+  const wrong = [];
   try {
     await begin(browser, kind);
     await check(page, report);
-    const strange = page.requests.filter((url) => url.split(/[?#]/)[0] !== report.url && !/^(blob|data):/.test(url));
-    if (strange.length) throw new Error("asks for " + strange.join(", "));
-    if (page.faults.length) throw new Error("the console says: " + page.faults.join("; "));
   } catch (error) {
-    await close();
-    return error.message;
+    wrong.push(error.message.length > kLongest ? error.message.slice(0, kLongest) + " ..." : error.message);
   }
+  const strange = (page?.requests ?? []).filter((url) => url.split(/[?#]/)[0] !== report.url && !/^(blob|data):/.test(url));
+  if (strange.length) wrong.push("asks for " + strange.join(", "));
+  if (page?.faults.length) wrong.push("the console says: " + page.faults.join("; "));
+  if (wrong.length) await close();
+  return wrong.join("; ");
 }
 
 const browser = await Browser.start();
 const checks = [...pageChecks, ...explorerChecks, ...robotChecks].filter(([name]) => !only || name.includes(only));
+for (const [name, , kind] of checks) if (!kPages[kind]) throw new Error(`${name}: no page is called '${kind}'`);
+if (!checks.length) throw new Error(`no check has '${only}' in its name`);
 let failed = 0;
 try {
   for (const kind of Object.keys(kPages))

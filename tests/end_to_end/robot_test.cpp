@@ -102,7 +102,7 @@ TEST_F(RobotProgram, RefusesInOneLine) {
   const std::string out = folder_.path().string(), arm = "models/industrial/six_joint_arm.urdf ",
                     nao = "models/nao/nao.urdf ";
   for (const auto& [arguments, words] :
-       {std::pair("\"\" " + out, "expected a URDF and a folder"),
+       {std::pair("\"\" " + out, "no URDF is named; expected make robot URDF="),
         {"none.urdf " + out, "none.urdf: can"},
         {arm + out + " \"\" elbow=much", "expected JOINT=POSITION"},
         {arm + out + " \"\" knee=1", "no joint"},

@@ -155,7 +155,7 @@ TEST_F(UserValues, WhatCanNotBeHandedOnIsRefusedInOneLine) {
   EXPECT_THAT(refused("status", {{"LAUNCH", "a\nb"}}), HasSubstr("LAUNCH has a line break in it"));
   EXPECT_THAT(refused("install", {{"PREFIX", "~/x"}}), HasSubstr("PREFIX is '~/x': the shell did not"));
   EXPECT_THAT(refused("status", {{"OUT", ""}}), HasSubstr("OUT is empty"));
-  EXPECT_THAT(refused("status", {{"PROFILE", ""}}), HasSubstr("PROFILE is empty"));
+  EXPECT_THAT(refused("status", {{"PROFILE", ""}}), HasSubstr("PROFILE is empty: leave it out"));
   EXPECT_THAT(refused("build", {{"BUILD", "a b"}}), HasSubstr("may have no space in its path"));
   EXPECT_THAT(refused("build", {{"BUILD", "a$b"}}), HasSubstr("may have no $ in its path"));
   for (const char* goal : {"\"a;b\"", "\"a:b\"", "\"a%b\"", "\"\\$(x)\"", "\"a b(\""})

@@ -96,6 +96,10 @@ def check_qdax(name, file, index):
     assert np.array_equal(genotypes[index], file["solution"][:]), name
     assert np.array_equal(descriptors[index], file["measures"][:]), name
     assert np.array_equal(fitnesses[index, 0], file["objective"][:]), name
+    assert (exported / "qdax" / name / "lengths.npy").exists() == ("length" in file), name
+    if "length" in file:
+        lengths = np.load(exported / "qdax" / name / "lengths.npy")
+        assert lengths.shape == (len(centroids), 1) and np.array_equal(lengths[index, 0], file["length"][:]), name
     if "centroids" not in file:  # each elite has a cell of its own
         assert np.array_equal(centroids, file["measures"][:]), name
         return

@@ -42,6 +42,10 @@ TEST(ProfileKeys, AreAllThatThePaperSays) {
     }
   for (const auto& [key, value] : paper.values["defaults"]["pencil"].items())
     EXPECT_THAT(text, HasSubstr("\npencil." + key + " = " + value.dump() + "\n    ")) << key;
+  for (const auto& [name, own] : paper.values["layers"].items())
+    for (const auto& [key, value] : own.items())
+      EXPECT_THAT(text, HasSubstr("\nlayers." + name + "." + key + " = " + value.dump() + "\n"));
+  EXPECT_THAT(text, HasSubstr("\nlayers.layer2_n10.samples = 10\n"));
   EXPECT_THAT(text, HasSubstr("\nautoencoder.output = \"sigmoid\"\n    sigmoid | linear: "));
   EXPECT_THAT(text, HasSubstr("\nautoencoder.epochs = 200\n    whole, 1 to "));
   // What a kind's own defaults say comes before what all have.

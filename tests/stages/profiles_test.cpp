@@ -135,7 +135,11 @@ TEST(Layers, AreReadStrictly) {
               HasSubstr("accuracy.layers has 2 layers of the kind lines_from_start; expected at most one"));
   EXPECT_THAT(complaint("layers.mine.kind = \"line\""),
               HasSubstr("p.toml:3:13: kind 'line' of layer: expected one of points, lines,"));
-  EXPECT_THAT(complaint("layers.mine.below = \"layer1\""), HasSubstr("kind '' of layer: expected one of"));
+  EXPECT_THAT(
+      complaint("layers.mine.below = \"layer1\""),
+      HasSubstr("p.toml:3:8: layer 'mine' says no kind; a layer of your own needs one of points, lines,"));
+  EXPECT_THAT(complaint("layers.layer2_n11.samples = 20"),
+              HasSubstr("layer 'layer2_n11' says no kind (did you mean 'layer2_n10'?)"));
   EXPECT_THAT(complaint("layers.mine = { kind = \"lines\", samples = 3 }"),
               HasSubstr("p.toml:3:8: layer 'mine' says no layer below, which lines are built on"));
   EXPECT_THAT(complaint("layers.mine = { kind = \"lines\", below = \"layer11\", samples = 3 }"),

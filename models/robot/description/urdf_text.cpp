@@ -42,9 +42,12 @@ UrdfText::UrdfText(std::string path, const std::string& text) : path_(std::move(
   if (document_.ErrorID() == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED)
     throw InputError("{}:{}: elements are nested without end; expected a URDF", path_,
                      document_.ErrorLineNum());
-  if (document_.Error())
-    throw InputError("{}:{}: not XML ({}); expected a URDF", path_, std::max(1, document_.ErrorLineNum()),
-                     words(document_.ErrorName()));
+  if (document_.Error()) {
+    const bool open = document_.ErrorID() == tinyxml2::XML_ERROR_PARSING ||
+                      document_.ErrorID() == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT;
+    throw InputError("{}:{}: not XML ({}{}); expected a URDF", path_, std::max(1, document_.ErrorLineNum()),
+                     words(document_.ErrorName()), open ? ": is an element not closed?" : "");
+  }
   robot_ = document_.FirstChildElement("robot");
   if (robot_) return;
   const XMLElement* top = document_.RootElement();

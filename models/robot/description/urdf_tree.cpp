@@ -2,6 +2,8 @@
 
 #include <fmt/ranges.h>
 
+#include "pipeline/core/settings.h"
+
 namespace hbr::inline robots {
 namespace {
 
@@ -68,9 +70,12 @@ class Tree {
     if (!element) text_.refuse(joint, "has no <{0}>; expected <{0} link=\"...\"/>", side);
     const std::string name = text_.name(*element, "link");
     const auto found = links_.find(name);
-    if (found == links_.end())
-      throw InputError("{}: the {} of {} is link '{}', which is not in the file: the chain is broken",
-                       text_.place(*element), side, UrdfText::what(joint), name);
+    if (found == links_.end()) {
+      std::vector<std::string> names;
+      for (const auto& [link, ignored] : links_) names.push_back(link);
+      throw InputError("{}: the {} of {} is link '{}', which is not in the file: the chain is broken{}",
+                       text_.place(*element), side, UrdfText::what(joint), name, did_you_mean(name, names));
+    }
     return found->second;
   }
 

@@ -4,6 +4,7 @@ class Explorer {
   constructor(root, { replications, profile }) {
     Object.assign(this, { root, replications, profile, replication: 0, key: null, until: Infinity, bound: null,
                           wanted: "", goodness: "" });
+    this.absent = element("p", { class: "absent", role: "status" });
     this.bar = element("div", { class: "explorer-bar" });
     this.legend = element("p", { class: "legend", "aria-label": "Colours" });
     this.maps = element("div", { class: "maps" });
@@ -11,7 +12,7 @@ class Explorer {
       go: (layer, row) => this.select(layer, row, true),
       file: (layer) => `out/${profile}/${layer.layer}/${replications[this.replication]}.h5`,
     });
-    root.append(this.bar, element("div", { class: "explorer-body" },
+    root.append(this.absent, this.bar, element("div", { class: "explorer-body" },
       element("div", { class: "where" }, this.legend, this.maps), this.panel.root, this.panel.more));
     // Some steps in the browser's history are told twice.
     for (const step of ["popstate", "hashchange"])
@@ -145,6 +146,7 @@ class Explorer {
     const address = `#${layer.group}/${this.replication}/${layer.id[row]}`;
     if (location.hash !== address) history[step ? "pushState" : "replaceState"](null, "", address);
     this.address = address;
+    this.absent.textContent = "";
     this.mark(layer, row);
   }
   mark(layer, row) {
@@ -175,15 +177,23 @@ class Explorer {
     else this.mark(layer, best);
   }
 
-  // Goes where the address points; whether it points into the explorer.
+  // Goes where the address points; whether it points into the explorer. What is not there is told, beside the
+  // first that is.
   async follow() {
-    this.address = location.hash;
-    const [, group, replication, id] = location.hash.match(/^#(\w+)\/(\d+)\/(\d+)$/) ?? [];
-    if (!group || Number(replication) >= this.replications.length) return false;
-    if (!(await this.open(Number(replication), group))) return true;
-    const layer = this.layers.get(group), row = layer?.rowOf.get(Number(id));
-    if (row === undefined) return false;
-    this.mark(layer, row);
+    const address = (this.address = location.hash);
+    this.absent.textContent = "";
+    const [, group, replication, id] = address.match(/^#(\w+)\/(\d+)\/(\d+)$/) ?? [];
+    if (!group) return false;
+    const there = Number(replication) < this.replications.length;
+    if (!(await this.open(there ? Number(replication) : 0, group))) return true;
+    const layer = there ? this.layers.get(group) : undefined, row = layer?.rowOf.get(Number(id));
+    if (row !== undefined) {
+      this.mark(layer, row);
+      return true;
+    }
+    this.selectFirst(false);
+    this.absent.textContent = `${address} is not in this run’s explorer, which has the replications `
+      + `${this.replications.map((_, k) => k).join(", ")} of ${[...this.layers.keys()].join(", ")}: another elite is shown.`;
     return true;
   }
 

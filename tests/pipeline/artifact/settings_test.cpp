@@ -161,6 +161,9 @@ TEST_F(Settings, ErrorsSayWhereWhatAndHow) {
   EXPECT_EQ(complaint("generations = 100\n", ""),
             ":9:1: missing key 'search.generations' (generations of the search)");
   EXPECT_EQ(complaint("offset = -3\n", ""), ":1:1: missing key 'offset' (an offset)");
+  EXPECT_THAT(complaint("[search]\ngenerations = 100\nspacing = 0.01\n", "[search]\n"),
+              HasSubstr("missing key 'search.generations' (generations of the search), and of the same table "
+                        "'spacing' ("));
   EXPECT_EQ(
       complaint("generations = 100", "generations = 0.5"),
       ":10:15: search.generations: expected a whole number from 1 to 1000000000 (generations of the search), "

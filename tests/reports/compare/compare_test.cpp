@@ -135,6 +135,8 @@ TEST_F(CompareRuns, ByTheBytesOfTheirArtifactsAndWhy) {
   for (const StageRow& row : stage_rows(b.read(), b.read())) EXPECT_FALSE(row.differs()) << row.stage;
   const std::string page = compare_page(a.read(), b.read());
   EXPECT_THAT(page, HasSubstr("<b>only in A</b>"));
+  // Without scripts the button that they answer to is not there.
+  EXPECT_THAT(page, HasSubstr("<noscript><style>#theme { display: none; }</style></noscript>"));
   EXPECT_THAT(page, HasSubstr("<b>1 differ although made from the same</b>"));
   EXPECT_THAT(page, HasSubstr("1 the same; 1 differs: other settings, program, inputs"));
 }

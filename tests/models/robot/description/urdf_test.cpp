@@ -29,7 +29,7 @@ std::vector<Bad> bad_urdfs() {
   return {
       {"Empty", "", "not XML"},
       {"NotXml", "solid cube", "not XML"},
-      {"Torn", "<robot name=\"a\"><link name=\"b\">", "not XML"},
+      {"Torn", "<robot name=\"a\"><link name=\"b\">", "is an element not closed?"},
       {"NoRobot", "<sdf version=\"1\"></sdf>", "no <robot>.*found <sdf>"},
       {"OnlyOpening", std::string(400000, '<'), "not XML"},
       {"NestedElements",
@@ -49,6 +49,8 @@ std::vector<Bad> bad_urdfs() {
       {"UnknownType", robot(ab + joint("j", "a", "b", "ball")), "joint 'j' has type 'ball'.*prismatic"},
       {"NoType", robot(ab + "<joint name=\"j\"><parent link=\"a\"/><child link=\"b\"/></joint>"),
        "joint 'j' has type ''; expected revolute, "},
+      {"MisspeltLink", robot(link("arm") + link("hand") + joint("j", "arm", "hnad")),
+       "the chain is broken (did you mean 'hand'?)"},
       {"NoParent", robot(ab + "<joint name=\"j\" type=\"fixed\"><child link=\"b\"/></joint>"), "no <parent"},
       {"NoChild", robot(ab + "<joint name=\"j\" type=\"fixed\"><parent link=\"b\"/></joint>"), "no <child"},
       {"BrokenChain", robot(ab + joint("j", "a", "c")), "child of joint 'j' is link 'c'.*broken"},
