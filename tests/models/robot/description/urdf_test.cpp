@@ -50,7 +50,7 @@ std::vector<Bad> bad_urdfs() {
       {"NoType", robot(ab + "<joint name=\"j\"><parent link=\"a\"/><child link=\"b\"/></joint>"),
        "joint 'j' has type ''; expected revolute, "},
       {"MisspeltLink", robot(link("arm") + link("hand") + joint("j", "arm", "hnad")),
-       "the chain is broken (did you mean 'hand'?)"},
+       "the chain is broken .did you mean 'hand'"},
       {"NoParent", robot(ab + "<joint name=\"j\" type=\"fixed\"><child link=\"b\"/></joint>"), "no <parent"},
       {"NoChild", robot(ab + "<joint name=\"j\" type=\"fixed\"><parent link=\"b\"/></joint>"), "no <child"},
       {"BrokenChain", robot(ab + joint("j", "a", "c")), "child of joint 'j' is link 'c'.*broken"},
