@@ -30,7 +30,7 @@ void lock_folder(const std::filesystem::path& out) {
   std::filesystem::create_directories(out / ".plan", error);
   if (error)
     throw file_error(std::filesystem::is_directory(out) ? out / ".plan" : out,
-                     "can't make this output folder; give another OUT", error.value());
+                     "can't make this output folder", error.value());
   const std::filesystem::path file = out / ".plan/lock";
   const int lock = ::open(file.c_str(), O_RDWR | O_CREAT, 0666);
   if (lock < 0) throw file_error(file, "can't write to this output folder", errno);
