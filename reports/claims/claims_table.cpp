@@ -81,9 +81,9 @@ std::string claims_table(const json& claims) {
           "test over the replications (exact for up to " +
               std::to_string(kSmall) +
               " values, else the normal approximation, corrected for ties and continuity, as in "
-              "the paper), adjusted for all the tests here that decide (Holm 1979) unless it is the least "
-              "that so "
-              "few replications can give, which counts as small enough; none is given for fewer than " +
+              "the paper), adjusted for all the tests here that decide (Holm 1979) unless it is the "
+              "least that so few replications can give, which counts as small enough; none is given for "
+              "fewer than " +
               std::to_string(kFewestToTest) +
               " replications. In brackets: of what is computed from two quantities the 95 % confidence "
               "interval, by bootstrap; of one quantity the quartiles over the replications.",

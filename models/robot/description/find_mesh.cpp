@@ -139,9 +139,8 @@ FoundMesh find_mesh(const std::string& name, const fs::path& urdf, const fs::pat
       if (is_file(above.parent_path() / path)) return {above.parent_path() / path};
   if (const fs::path found = near(urdf, path); !found.empty()) return {found, true};
   throw InputError(
-      "{}: mesh '{}' is missing, looked beside the URDF and above; name the folder that holds it (MESHES of "
-      "make "
-      "robot, meshes of a profile's robot)",
+      "{}: mesh '{}' is missing, looked beside the URDF and above; name the folder that holds it "
+      "(MESHES of make robot, meshes of a profile's robot)",
       urdf.string(), name);
 }
 
