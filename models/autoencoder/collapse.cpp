@@ -13,7 +13,7 @@ void refuse_collapse(const std::vector<float>& latent, double test_error, double
   const double share = static_cast<double>(stuck) / static_cast<double>(latent.size());
   const char* mend =
       "try another seed, a lower learning_rate or another output_bias (about the logit of the "
-      "images' mean brightness)";
+      "images' mean brightness; of a linear output about the mean brightness)";
   if (share > 0.9)
     throw InputError(
         "{}: the autoencoder collapsed: {:.1f} % of the latent coordinates are beyond 0.99, at most "

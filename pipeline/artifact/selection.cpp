@@ -90,6 +90,13 @@ std::set<std::string> targets_meant(const Graph& graph, const std::string& goal)
 }  // namespace
 
 Graph selected(const Graph& graph, const std::vector<std::string>& goals, int replication) {
+  std::set<std::string> beyond;  // outputs that are, or stand on, another replication than the one asked for
+  for (const Node& node : graph) {
+    const bool stands_on = std::any_of(node.inputs.begin(), node.inputs.end(),
+                                       [&](const auto& input) { return beyond.contains(input.second); });
+    if (replication >= 0 && (node.replication >= 0 ? node.replication != replication : stands_on))
+      beyond.insert(node.output);
+  }
   std::set<std::string> wanted;  // outputs
   for (const std::string& goal : goals) {
     const std::set<std::string> meant = targets_meant(graph, goal);
@@ -98,10 +105,13 @@ Graph selected(const Graph& graph, const std::vector<std::string>& goals, int re
     for (const Node& node : graph) {
       if (!meant.contains(target_of(node))) continue;
       last = std::max(last, node.replication);
-      if (replication >= 0 && node.replication >= 0 && node.replication != replication) continue;
+      if (beyond.contains(node.output)) continue;
       any = true;
       wanted.insert(node.output);
     }
+    if (!any && last < 0)
+      throw InputError("{} is made from several replications, not from replication {} alone: leave REP out",
+                       goal, replication);
     if (!any) throw InputError("{} has no replication {}: they go from 0 to {}", goal, replication, last);
   }
   for (auto node = graph.rbegin(); node != graph.rend(); ++node)

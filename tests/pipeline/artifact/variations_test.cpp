@@ -107,6 +107,17 @@ TEST_F(Goals, NameStagesOfVariations) {
   EXPECT_EQ(meant("all").size(), graph_.size());
 }
 
+TEST_F(Goals, OfOneReplicationLeaveOutWhatIsMadeFromSeveral) {
+  EXPECT_THAT(outputs(selected(plan(1, 2, 3), {"all"}, 1)),
+              ElementsAre("points/01.h5", "lines_a/01.h5", "lines_b/01.h5"));
+  try {
+    meant("sum", 1);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("sum is made from several replications"));
+  }
+}
+
 TEST_F(Goals, ThatAreNoneAreTold) {
   for (const auto& [goal, words] :
        {std::pair{"mor/lines", "no stage 'mor/lines'"}, std::pair{"mosst", "did you mean 'most'?"},
