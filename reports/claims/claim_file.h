@@ -27,8 +27,8 @@ struct Size {
 //   difference  of less to (medians)
 //   a12         the chance that a value of `of` is greater than one of `to`
 // It holds where x lies in `reproduced` and the rank-sum test gives p < p_below, adjusted for the tests of
-// all claims (Holm 1979); it holds in part where x lies in `partly` and the test alone tells a difference (p
-// < 0.05, or p_below where that is greater), and is undecided where x lies there and the test does not.
+// all claims (Holm 1979); it holds in part where x lies in `partly` and the adjusted p is below 0.05 (or
+// p_below where that is greater), and is undecided where x lies there and p is not.
 struct Check {
   std::string words;  // what is compared, for the reader
   std::string kind, of, to;

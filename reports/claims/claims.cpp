@@ -33,13 +33,11 @@ bool least_possible(const Check& check, const Measured& m, std::size_t tests) {
   return floor * static_cast<double>(tests) >= check.p_below && *m.p <= floor * (1 + 1e-12);
 }
 
-bool told_from_chance(const Check& check, const Measured& m) {
-  return check.p_below >= 1 || (m.p && *m.p < std::max(check.p_below, kLevel));
-}
-
-bool significant(const Check& check, const Measured& m) {
-  return check.p_below >= 1 ||
-         (m.p && (*m.p_together < check.p_below || (m.least_p && told_from_chance(check, m))));
+// By the test, read together with all others; so few replications that they can't give a p that would do are
+// read alone, where they give the least that they can.
+bool told(const Check& check, const Measured& m, double level) {
+  if (!tested(check, m)) return check.p_below >= 1;
+  return *m.p_together < level || (m.least_p && *m.p < std::max(level, kLevel));
 }
 
 // Of x, where there are replications enough to draw from.
@@ -89,8 +87,8 @@ Measured measure(const Check& check, const StatisticsReader& statistics) {
 CheckOutcome outcome_of(const Check& check, const Measured& m) {
   if (!m.x) return CheckOutcome::absent;
   if (!within(*m.x, check.partly)) return CheckOutcome::no;
-  if (within(*m.x, check.reproduced) && significant(check, m)) return CheckOutcome::yes;
-  return told_from_chance(check, m) ? CheckOutcome::partly : CheckOutcome::undecided;
+  if (within(*m.x, check.reproduced) && told(check, m, check.p_below)) return CheckOutcome::yes;
+  return told(check, m, std::max(check.p_below, kLevel)) ? CheckOutcome::partly : CheckOutcome::undecided;
 }
 
 // What every check of every claim came to. The tests that decide are read together.
@@ -125,15 +123,29 @@ std::vector<std::vector<Measured>> measured_claims(const std::vector<Claim>& cla
   return all;
 }
 
-// Of the checks that could be made.
-std::string verdict_of(const std::vector<Measured>& measured) {
+// Two samples that do not differ hold it, too.
+bool met_by_no_effect(const Check& check) {
+  if (check.kind == "value" || check.p_below < 1) return false;
+  return within(check.kind == "ratio" ? 1 : check.kind == "difference" ? 0 : 0.5, check.partly);
+}
+
+// Of the checks that could be made. Where the claim asks for an effect as well, what is met without any is a
+// condition: it can keep the claim from holding, and is no evidence for it.
+std::string verdict_of(const Claim& claim, const std::vector<Measured>& measured) {
+  const bool asks_for_effect = !std::ranges::all_of(claim.checks, met_by_no_effect);
   std::map<CheckOutcome, std::size_t> count;
-  for (const Measured& m : measured) ++count[m.outcome];
+  std::size_t evidence = 0;
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    const CheckOutcome outcome = measured[k].outcome;
+    ++count[outcome];
+    const bool holds = outcome == CheckOutcome::yes || outcome == CheckOutcome::partly;
+    if (holds && !(asks_for_effect && met_by_no_effect(claim.checks[k]))) ++evidence;
+  }
   const std::size_t made = measured.size() - count[CheckOutcome::absent];
   if (made == 0) return "";
   if (count[CheckOutcome::yes] == made) return "reproduced";
-  if (count[CheckOutcome::yes] + count[CheckOutcome::partly] > 0) return "partly";
-  return count[CheckOutcome::undecided] > 0 ? "undecided" : "not";
+  if (evidence > 0) return "partly";
+  return count[CheckOutcome::no] > 0 ? "not" : "undecided";
 }
 
 std::vector<NeedFound> needs_of(const Claim& claim, const ClaimFile& file,
@@ -202,7 +214,7 @@ json evaluated(const Claim& claim, const std::vector<Measured>& measured, const 
   const bool large_enough = std::ranges::all_of(found, &NeedFound::met);
   const bool complete =
       std::ranges::none_of(measured, [](const Measured& m) { return m.outcome == CheckOutcome::absent; });
-  const std::string indication = verdict_of(measured);
+  const std::string indication = verdict_of(claim, measured);
   const std::string decided = claim.checks.empty() ? "reproduced" : indication;
   return {{"id", claim.id},
           {"place", claim.place},

@@ -11,9 +11,10 @@ namespace hbr::inline reports {
 //
 //   id, place, statement, quote, paper, decided_by   as in the file
 //   ours        this run's figures, in words
-//   verdict     "reproduced" (every check holds), "partly" (some do, or in part), "undecided" (none does, and
-//               of some the test does not tell from chance what was found), "not" (none does), "not at this
-//               size" (the run is too small for the claim, or lacks what it is about)
+//   verdict     "reproduced" (every check holds), "partly" (some do, or in part), "not" (none does, and one
+//               fails), "undecided" (none does, as the tests do not tell from chance what was found), "not at
+//               this size" (the run is too small for the claim, or lacks what it is about). Checks that equal
+//               samples would meet count as some only in a claim of nothing else.
 //   indication  what the verdict would be without regard to size; "" where nothing was measured. A p-value
 //               below 0.05 is then only asked to be as small as the test can give for so few replications.
 //   reason      what is too small, and how many checks hold

@@ -28,17 +28,22 @@ void describe(Fields& f, KeptTable& t) {
   f.texts("runs", t.runs, "whose figures it has");
   f.tables("rows", t.rows, "its rows");
 }
-namespace {
-
-constexpr const char* kDash = "–";
-
-struct KeptTables {
-  std::vector<KeptTable> tables;
-};
+template <class Fields>
+void describe(Fields& f, VerdictTable& t) {
+  f.text("name", t.name, "as in its marks");
+  f.text("file", t.file, "where it stands");
+  f.text("rules", t.rules, "claims and their rules");
+  f.texts("runs", t.runs, "whose verdicts it has");
+  f.texts("studies", t.studies, "whose variations may move them");
+}
 template <class Fields>
 void describe(Fields& f, KeptTables& t) {
   f.tables("tables", t.tables, "tables of kept runs");
+  f.tables("verdicts", t.verdicts, "tables of their verdicts");
 }
+namespace {
+
+constexpr const char* kDash = "–";
 
 std::string verdicts_in_words(const nlohmann::json& all) {
   const nlohmann::json claims = claims_decided_by("result", all);
@@ -81,9 +86,7 @@ std::string filled(const std::string& text, const KeptRun& run) {
 
 }  // namespace
 
-std::vector<KeptTable> read_kept_tables(const std::filesystem::path& path) {
-  return read_profile<KeptTables>(path).tables;
-}
+KeptTables read_kept_tables(const std::filesystem::path& path) { return read_profile<KeptTables>(path); }
 
 std::string as_markdown(const KeptTable& table, const std::map<std::string, KeptRun>& kept) {
   const auto line = [&](const std::vector<std::string>& cells) {
@@ -104,16 +107,17 @@ std::string as_markdown(const KeptTable& table, const std::map<std::string, Kept
   return text;
 }
 
-std::string with_table(const std::string& text, const KeptTable& table, const std::string& markdown) {
-  const std::string begin = fmt::format("<!-- table {}: `make figures` fills it -->\n", table.name),
+std::string with_table(const std::string& text, const std::string& file, const std::string& name,
+                       const std::string& markdown) {
+  const std::string begin = fmt::format("<!-- table {}: `make figures` fills it -->\n", name),
                     end = "<!-- end of table -->\n";
   const std::size_t from = text.find(begin);
   const std::size_t inside = from == std::string::npos ? from : from + begin.size();
   const std::size_t to = text.find(end, inside), next = text.find("<!-- table ", inside);
   if (to == std::string::npos || next < to)
     throw InputError(
-        "{}: expected a line '{}' and below it, before that of any other table, one '{}', found none",
-        table.file, begin.substr(0, begin.size() - 1), end.substr(0, end.size() - 1));
+        "{}: expected a line '{}' and below it, before that of any other table, one '{}', found none", file,
+        begin.substr(0, begin.size() - 1), end.substr(0, end.size() - 1));
   return text.substr(0, inside) + markdown + text.substr(to);
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "reports/kept/kept_run.h"
+#include "reports/kept/verdict_table.h"
 
 namespace hbr::inline reports {
 
@@ -29,8 +30,13 @@ struct KeptTable {
   std::vector<KeptTableRow> rows;
 };
 
+struct KeptTables {
+  std::vector<KeptTable> tables;
+  std::vector<VerdictTable> verdicts;
+};
+
 // Throws InputError: file, line, what was expected and found.
-std::vector<KeptTable> read_kept_tables(const std::filesystem::path& path);
+KeptTables read_kept_tables(const std::filesystem::path& path);
 
 // As Markdown. A cell that asks for what its run did not measure, or for a run that is not kept, is a dash.
 // Besides statistics a cell may ask for {{value:cpu}}, {{value:memory}} and {{value:disk}} of the run, and
@@ -38,8 +44,9 @@ std::vector<KeptTable> read_kept_tables(const std::filesystem::path& path);
 // number of cells than the head.
 std::string as_markdown(const KeptTable& table, const std::map<std::string, KeptRun>& kept);
 
-// `text` with the table in the place of what stood between its marks. Throws InputError where they are
-// missing.
-std::string with_table(const std::string& text, const KeptTable& table, const std::string& markdown);
+// `text`, of that file, with the table of that name in the place of what stood between its marks. Throws
+// InputError where they are missing.
+std::string with_table(const std::string& text, const std::string& file, const std::string& name,
+                       const std::string& markdown);
 
 }  // namespace hbr::inline reports

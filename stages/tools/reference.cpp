@@ -43,15 +43,18 @@ int judge_anew(const fs::path& rules, const fs::path& references) {
   return 0;
 }
 
+void fill(const std::string& file, const std::string& name, const std::string& markdown) {
+  const std::string before = hbr::read_whole(file), after = hbr::with_table(before, file, name, markdown);
+  if (after != before) hbr::write_whole(file, after);
+  fmt::print("{}: table '{}' {}\n", file, name, after == before ? "is as it should be" : "filled");
+}
+
 int fill_tables(const fs::path& tables, const fs::path& references) {
   const std::map<std::string, hbr::KeptRun> kept = hbr::read_all_kept(references);
-  for (const hbr::KeptTable& table : hbr::read_kept_tables(tables)) {
-    const std::string before = hbr::read_whole(table.file),
-                      after = hbr::with_table(before, table, hbr::as_markdown(table, kept));
-    if (after != before) hbr::write_whole(table.file, after);
-    fmt::print("{}: table '{}' {}\n", table.file, table.name,
-               after == before ? "is as it should be" : "filled");
-  }
+  const hbr::KeptTables all = hbr::read_kept_tables(tables);
+  for (const hbr::KeptTable& table : all.tables) fill(table.file, table.name, as_markdown(table, kept));
+  for (const hbr::VerdictTable& table : all.verdicts)
+    fill(table.file, table.name, as_markdown(table, kept, table.rules));
   return 0;
 }
 

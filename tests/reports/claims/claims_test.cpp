@@ -137,13 +137,37 @@ TEST(Claims, WhatChanceMayDoIsUndecided) {
   }
   EXPECT_EQ(verdict(asked, accuracies(5)), "reproduced");
   EXPECT_EQ(verdict(in_part, accuracies(5)), "partly");
-  EXPECT_EQ(verdict(asked + fails, accuracies(2)), "undecided");
+  EXPECT_EQ(verdict(asked + fails, accuracies(2)), "not");  // one fails, and for the other nothing speaks
+  EXPECT_EQ(verdict(asked + asked, accuracies(2)), "undecided");
   EXPECT_EQ(verdict(asked + untested, accuracies(2)), "partly");
   const json claim = evaluate_one(claim_file(folder, asked), accuracies(2));
   EXPECT_EQ(claim["checks"][0]["outcome"], "undecided");
   EXPECT_EQ(claim["reason"], "0 of 1 check holds, 1 is not told from chance.");
   EXPECT_THAT(verdict_tiles(json::array({claim})), HasSubstr("<b>1</b><span>?&nbsp;undecided"));
   EXPECT_THAT(claims_table(json::array({claim})), HasSubstr("? not told from chance"));
+}
+
+// Where an effect is claimed, what equal samples meet as well can fail and is no evidence; alone it is the
+// claim.
+TEST(Claims, WhatNoEffectMeetsIsACondition) {
+  TemporaryFolder folder;
+  const std::string effect = check("a12", "accuracy.n1", "accuracy.n10", "[0.71, 1]", "[0.56, 1]", "0.05"),
+                    same = check("ratio", "layer2.n1.size", "layer2.n10.size", "[0.8, 1.25]", "[0.5, 2]");
+  const auto verdict = [&](const std::string& checks, bool differ, double size) {
+    StatisticsTable table("test");
+    for (int r = 0; r < 10; ++r) {
+      table.add("accuracy.n1", r, r + (differ ? 20 : 0));
+      table.add("accuracy.n10", r, r);
+      table.add("layer2.n1.size", r, size);
+      table.add("layer2.n10.size", r, 1);
+    }
+    return evaluate_one(claim_file(folder, checks), table.json())["verdict"].get<std::string>();
+  };
+  EXPECT_EQ(verdict(effect + same, true, 1), "reproduced");
+  EXPECT_EQ(verdict(effect + same, true, 9), "partly");
+  EXPECT_EQ(verdict(effect + same, false, 1), "not");
+  EXPECT_EQ(verdict(same, false, 1), "reproduced");
+  EXPECT_EQ(verdict(same, false, 1.5), "partly");
 }
 
 // Two against two give a p of 1/3 at least: none is told, and what is told says between what and of how many.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 
 #include "pipeline/statistics/names.h"
@@ -79,6 +80,48 @@ TEST(PapersClaims, DifferencesAskForATest) {
   EXPECT_GT(asked, 15);
 }
 
+// The second sample of a comparison is the first, and numbers that say how far two differ say that they
+// don't: no claim of an effect holds, not even in part.
+TEST(PapersClaims, NoneOfAnEffectHoldsWithoutOne) {
+  const std::set<std::string> of_sameness{"similar_coverage", "substitution_m1", "flat_arcs_blocked",
+                                          "covering", "one_sample_best"};
+  std::set<std::string> met;
+  for (const Claim& claim : read_claim_file(kPapersClaims).claims) {
+    if (claim.decided_by != "result") continue;
+    std::map<std::string, double> middles;
+    bool compares = false;
+    for (const Check& check : claim.checks) {
+      compares |= !check.to.empty();
+      for (const std::string& name : {check.of, check.to})
+        if (!name.empty()) middles.emplace(name, 1e9);
+    }
+    for (const Check& check : claim.checks)
+      if (!check.to.empty()) middles[check.of] = middles[check.to] = 1;
+    StatisticsTable table("test");
+    for (const auto& [name, middle] : middles)
+      for (int r = 0; r < 10; ++r) table.add(name, r, middle + 0.01 * r);
+    if (!compares) continue;
+    for (const json& one : evaluate_claims(kPapersClaims, table.json()))
+      if (one["id"] == claim.id && one["indication"] != "not" && one["indication"] != "undecided")
+        met.insert(claim.id);
+  }
+  EXPECT_EQ(met, of_sameness);
+}
+
+// What one claim counts no other counts again; a condition counts nothing.
+TEST(PapersClaims, NoComparisonIsCountedTwice) {
+  std::map<std::set<std::string>, std::string> asked_by;
+  for (const Claim& claim : read_claim_file(kPapersClaims).claims) {
+    if (claim.decided_by != "result") continue;
+    for (const Check& check : claim.checks) {
+      if (claim.id == "fooling" && check.p_below == 1) continue;
+      const auto [at, anew] = asked_by.emplace(std::set{check.of, check.to}, claim.id);
+      EXPECT_TRUE(anew || at->second == claim.id)
+          << check.of << " and " << check.to << ": " << at->second << ", " << claim.id;
+    }
+  }
+}
+
 // A claim about a layer needs those below it at their size, too.
 TEST(PapersClaims, LayersBelowCountAsWell) {
   const json claims = evaluate_claims(kPapersClaims, json::parse(std::ifstream(kSampleRun)));
@@ -103,8 +146,8 @@ TEST(PapersClaims, FoolingAsksBothOpinions) {
     StatisticsTable table("test");
     for (int r = 0; r < 10; ++r) {
       const double shift = r * 1e-4;
-      table.add("digit_verdicts.hbr.good", r, 0.8 + shift);
-      table.add("digit_verdicts.flat.good", r, 0.3 + shift);
+      table.add("digit_verdicts.hbr.confidence", r, 0.8 + shift);
+      table.add("digit_verdicts.flat.confidence", r, 0.3 + shift);
       table.add("digit_verdicts.hbr.distance", r, 0.8 + shift);
       table.add("digit_verdicts.flat.distance", r, 0.9 + shift);
       table.add("layer4.mean", r, -0.02 - shift);

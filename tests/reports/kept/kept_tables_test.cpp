@@ -52,13 +52,13 @@ TEST(KeptTables, RefuseWhatNoRunCanHave) {
 TEST(KeptTables, StandBetweenTheirMarks) {
   const std::string begin = "a\n<!-- table t: `make figures` fills it -->\n",
                     end = "<!-- end of table -->\nb\n";
-  EXPECT_EQ(with_table(begin + "old\n" + end, kTable, "new\n"), begin + "new\n" + end);
-  EXPECT_EQ(with_table(begin + end, kTable, "new\n"), begin + "new\n" + end);
+  EXPECT_EQ(with_table(begin + "old\n" + end, "README.md", "t", "new\n"), begin + "new\n" + end);
+  EXPECT_EQ(with_table(begin + end, "README.md", "t", "new\n"), begin + "new\n" + end);
   // Without an end of its own it would take another table's, and all that stands between.
   const std::string unended = begin + "<!-- table u: `make figures` fills it -->\n" + end;
   for (const std::string& text : {std::string(), begin, end, end + begin, unended})
     EXPECT_THAT(
-        [&] { with_table(text, kTable, ""); },
+        [&] { with_table(text, "README.md", "t", ""); },
         ThrowsMessage<InputError>(HasSubstr("README.md: expected a line '<!-- table t: `make figures`")));
 }
 
@@ -67,9 +67,11 @@ TEST(KeptTables, AreReadStrictly) {
   const auto file = folder.path() / "t.toml";
   const std::string good =
       "[[tables]]\nname = 't'\nfile = 'f'\nhead = ['a', 'b']\nruns = []\nrows = [{what = 'w', runs = [], "
-      "cells = [], last = 'l'}]\n";
+      "cells = [], last = 'l'}]\n"
+      "[[verdicts]]\nname = 'v'\nfile = 'f'\nrules = 'r'\nruns = []\nstudies = ['s']\n";
   write_file(file, good);
-  EXPECT_EQ(read_kept_tables(file).at(0).rows.at(0).last, "l");
+  EXPECT_EQ(read_kept_tables(file).tables.at(0).rows.at(0).last, "l");
+  EXPECT_EQ(read_kept_tables(file).verdicts.at(0).studies.at(0), "s");
   for (const std::string& wrong :
        {good + "nam = 't'\n", good.substr(0, good.find("rows")), std::string("[[tables\n")}) {
     write_file(file, wrong);
@@ -84,12 +86,15 @@ TEST(KeptTables, OfTheReadmesAreTheReferences) {
   const auto kept = read_all_kept(sources / "reports/reference");
   EXPECT_TRUE(kept.contains("reduced") && kept.contains("paper"));
   const auto tables = read_kept_tables(sources / "reports/kept_tables.toml");
-  EXPECT_FALSE(tables.empty());
-  for (const KeptTable& table : tables) {
+  const auto expect_filled = [&](const auto& table, const std::string& markdown) {
     const std::string text = read_whole(sources / table.file);
-    EXPECT_EQ(with_table(text, table, as_markdown(table, kept)), text)
+    EXPECT_EQ(with_table(text, table.file, table.name, markdown), text)
         << table.file << ": `make figures` fills its table '" << table.name << "'";
-  }
+  };
+  EXPECT_FALSE(tables.tables.empty() || tables.verdicts.empty());
+  for (const KeptTable& table : tables.tables) expect_filled(table, as_markdown(table, kept));
+  for (const VerdictTable& table : tables.verdicts)
+    expect_filled(table, as_markdown(table, kept, sources / table.rules));
 }
 
 }  // namespace
