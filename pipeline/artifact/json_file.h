@@ -1,18 +1,17 @@
-// JSON read strictly: UTF-8, one value and nothing behind it, no key twice, no number too large for a double,
-// not nested without end. What its fields must be is described as in settings.h.
+// Files of JSON, read as strictly as json_text.h says. What their fields must be is described as in
+// settings.h.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
+#include "pipeline/core/json_text.h"
 #include "pipeline/core/settings.h"
 
 namespace hbr::inline artifact {
 
-// `where` leads the error: the file, or what else the text stands in. Throws InputError, one line.
-nlohmann::json parse_json(std::string_view text, const std::string& where);
+// Throws InputError, one line.
 nlohmann::json read_json(const std::filesystem::path& file);
 
 // The file as a struct that is described as in settings.h.

@@ -153,12 +153,12 @@ void SettingsReader::read_number(const char* key, T& value, Range range, const c
 }
 
 template <class T>
-void SettingsReader::read_numbers(const char* key, std::vector<T>& value, Range range, const char* meaning) {
-  const nlohmann::json* found = find_list(key, meaning);
-  value.clear();
-  for (std::size_t i = 0; found && i < found->size(); ++i)
-    value.push_back(
-        checked_number<T>((*found)[i], pointer_ + "/" + key + "/" + std::to_string(i), range, meaning));
+std::vector<T> SettingsReader::checked_numbers(const nlohmann::json& list, const std::string& pointer,
+                                               Range range, const char* meaning) const {
+  std::vector<T> numbers;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    numbers.push_back(checked_number<T>(list[i], pointer + "/" + std::to_string(i), range, meaning));
+  return numbers;
 }
 
 void SettingsReader::number(const char* key, int& value, Range range, const char* meaning) {
@@ -174,10 +174,13 @@ void SettingsReader::number(const char* key, double& value, Range range, const c
   read_number(key, value, range, meaning);
 }
 void SettingsReader::numbers(const char* key, std::vector<double>& value, Range range, const char* meaning) {
-  read_numbers(key, value, range, meaning);
+  const nlohmann::json* found = find_list(key, meaning);
+  value =
+      found ? checked_numbers<double>(*found, pointer_ + "/" + key, range, meaning) : std::vector<double>();
 }
 void SettingsReader::numbers(const char* key, std::vector<int>& value, Range range, const char* meaning) {
-  read_numbers(key, value, range, meaning);
+  const nlohmann::json* found = find_list(key, meaning);
+  value = found ? checked_numbers<int>(*found, pointer_ + "/" + key, range, meaning) : std::vector<int>();
 }
 
 void SettingsReader::flag(const char* key, bool& value, const char* meaning) {
@@ -243,6 +246,27 @@ void SettingsReader::optional_number(const char* key, std::optional<double>& val
   value.reset();
   if (const auto found = table_.find(key); found != table_.end() && !found->is_null())
     value = checked_number<double>(*found, pointer_ + "/" + key, range, meaning);
+}
+
+void SettingsReader::optional_numbers(const char* key, std::vector<std::optional<double>>& value, Range range,
+                                      const char* meaning) {
+  const nlohmann::json* found = find_list(key, meaning);
+  value.assign(found ? found->size() : 0, std::nullopt);
+  for (std::size_t i = 0; i < value.size(); ++i)
+    if (!(*found)[i].is_null())
+      value[i] =
+          checked_number<double>((*found)[i], pointer_ + "/" + key + "/" + std::to_string(i), range, meaning);
+}
+
+void SettingsReader::lists_of_numbers(const char* key, std::vector<std::vector<double>>& value, Range range,
+                                      const char* meaning) {
+  const nlohmann::json* found = find_list(key, meaning);
+  value.clear();
+  for (std::size_t i = 0; found && i < found->size(); ++i) {
+    const std::string pointer = pointer_ + "/" + key + "/" + std::to_string(i);
+    if (!(*found)[i].is_array()) fail(pointer, fmt::format("a list ({})", meaning), (*found)[i]);
+    value.push_back(checked_numbers<double>((*found)[i], pointer, range, meaning));
+  }
 }
 
 void SettingsReader::raw_table(const char* key, nlohmann::json& value, const char* meaning) {

@@ -72,6 +72,18 @@ class SettingsReader {
   // Of files that are no settings: nothing where the key is missing or null.
   void optional_number(const char* key, std::optional<double>& value, Range range, const char* meaning);
   void named_numbers(const char* key, std::map<std::string, double>& value, Range range, const char* meaning);
+  // Each of the list may be null.
+  void optional_numbers(const char* key, std::vector<std::optional<double>>& value, Range range,
+                        const char* meaning);
+  void lists_of_numbers(const char* key, std::vector<std::vector<double>>& value, Range range,
+                        const char* meaning);
+  template <class S>
+  void optional_table(const char* key, std::optional<S>& value, const char* meaning) {
+    known_.emplace_back(key);
+    value.reset();
+    if (const auto found = table_.find(key); found != table_.end() && !found->is_null())
+      read_table(*found, pointer_ + "/" + key, value.emplace(), meaning);
+  }
 
   template <class S>
   void table(const char* key, S& value, const char* meaning) {
@@ -124,7 +136,8 @@ class SettingsReader {
   template <class T>
   void read_number(const char* key, T& value, Range range, const char* meaning);
   template <class T>
-  void read_numbers(const char* key, std::vector<T>& value, Range range, const char* meaning);
+  std::vector<T> checked_numbers(const nlohmann::json& list, const std::string& pointer, Range range,
+                                 const char* meaning) const;
   [[noreturn]] void fail(const std::string& pointer, const std::string& expected, const nlohmann::json& found,
                          const std::string& hint = "") const;
 
