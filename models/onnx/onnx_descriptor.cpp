@@ -65,7 +65,7 @@ struct OnnxDescriptor::Network {
     const std::vector<std::string> tensors = named([&] { return tensors_to_try(parsed, settings); });
     const std::vector<float> image = first_image(PixelRange(settings.input_range));
     std::string complaint;
-    std::optional<std::size_t> numbers;  // a hash of what comes out
+    std::optional<std::uint64_t> numbers;  // a hash of what comes out
     for (const std::vector<int>& shape : shapes) {
       Trial trial;
       try {
@@ -76,6 +76,12 @@ struct OnnxDescriptor::Network {
       }
       const ChosenTensors chosen = named([&] { return choose_tensors(parsed, trial.shapes, told); });
       const Trial last = try_network(parsed, {chosen.position, chosen.reconstruction}, shape, image, where);
+      if (!last.shapes.contains(chosen.position))
+        throw InputError(
+            "{}: OpenCV {} gives the tensor '{}' of the whole network, but not of what leads to it alone; "
+            "name "
+            "another as position",
+            where, CV_VERSION, shown(chosen.position));
       if (!numbers) {
         numbers = last.hash;
         dimension = static_cast<Eigen::Index>(last.shapes.at(chosen.position).numbers());

@@ -1,11 +1,8 @@
 #include "models/onnx/opencv_network.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <functional>
-#include <nlohmann/json.hpp>
-#include <numeric>
+#include <iterator>
 #include <opencv2/core/utils/logger.hpp>
 #include <string_view>
 
@@ -46,27 +43,6 @@ Trial run_once(const OnnxModel& model, const std::vector<std::string>& tensors,
   return trial;
 }
 
-// Between processes: shapes stand in the order of `tensors`, whose names may be any bytes.
-std::string told(const Trial& trial, const std::vector<std::string>& tensors) {
-  nlohmann::json json{{"hash", trial.hash}, {"shapes", nlohmann::json::array()}};
-  for (const std::string& tensor : tensors) {
-    const auto found = trial.shapes.find(tensor);
-    json["shapes"].push_back(found == trial.shapes.end()
-                                 ? nlohmann::json()
-                                 : nlohmann::json{found->second.sizes, found->second.floats});
-  }
-  return json.dump();
-}
-
-Trial understood(const std::string& text, const std::vector<std::string>& tensors) {
-  const nlohmann::json json = nlohmann::json::parse(text);
-  Trial trial{{}, json["hash"].get<std::size_t>()};
-  for (std::size_t i = 0; i < tensors.size(); ++i)
-    if (const nlohmann::json& shape = json["shapes"][i]; !shape.is_null())
-      trial.shapes[tensors[i]] = {shape[0].get<std::vector<int>>(), shape[1].get<bool>()};
-  return trial;
-}
-
 std::string advice(const OnnxNode& node) {
   if (node.operation.starts_with("Random") || node.operation == "Bernoulli" ||
       node.operation == "Multinomial")
@@ -79,13 +55,6 @@ std::string advice(const OnnxNode& node) {
 }
 
 }  // namespace
-
-std::size_t TensorShape::numbers() const {
-  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{1},
-                         [](std::size_t n, int size) { return n * static_cast<std::size_t>(size); });
-}
-
-std::string TensorShape::text() const { return fmt::format("{}", fmt::join(sizes, " x ")); }
 
 OpenCvNetwork::OpenCvNetwork(const std::string& onnx, std::vector<int> shape) : shape_(std::move(shape)) {
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);  // the exception says it all
@@ -119,8 +88,8 @@ Trial try_network(const OnnxModel& model, const std::vector<std::string>& tensor
   for (const auto& [name, tensor] : model.weights) bytes += tensor.size();
   const OwnProcess apart{(std::size_t{1} << 30) + 16 * bytes, 60};
   const auto attempt = [&](const std::vector<std::string>& some) {
-    return understood(apart.run(where, [&] { return told(run_once(model, some, input_shape, image), some); }),
-                      some);
+    return understood(
+        where, apart.run(where, [&] { return told(run_once(model, some, input_shape, image), some); }), some);
   };
   std::string complaint;
   try {

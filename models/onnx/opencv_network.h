@@ -2,13 +2,12 @@
 // all that leaves this file is one line.
 #pragma once
 
-#include <cstddef>
-#include <map>
 #include <opencv2/dnn.hpp>
 #include <string>
 #include <vector>
 
 #include "models/onnx/file/model.h"
+#include "models/onnx/trial.h"
 
 namespace hbr::inline onnx {
 
@@ -26,20 +25,6 @@ class OpenCvNetwork {
  private:
   cv::dnn::Net net_;
   std::vector<int> shape_;
-};
-
-struct TensorShape {
-  std::vector<int> sizes;
-  bool floats = false;
-
-  std::size_t numbers() const;
-  std::string text() const;  // "1 x 2"
-};
-
-// What a first run gave: the shapes of the tensors that OpenCV gives, and a hash of their numbers.
-struct Trial {
-  std::map<std::string, TensorShape> shapes;
-  std::size_t hash = 0;
 };
 
 // Runs so much of the network as makes `tensors` of `image`, in a process of its own. Throws InputError, with

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ std::vector<std::string> examples();
 
 // Reads a file of these bytes as a program would. May throw InputError; whatever else leaves it is a finding.
 void read(const std::string& bytes);
+
+// Part of a reading: where it throws InputError the parts after it are read all the same.
+void and_go_on(const std::function<void()>& part);
 
 // A folder of this process's own, and a file in it.
 const std::filesystem::path& folder();

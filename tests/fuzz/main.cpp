@@ -8,6 +8,23 @@
 #include "tests/fuzz/fuzz.h"
 
 namespace hbr::fuzz {
+namespace {
+
+void expect_one_line(const std::string& complaint) {
+  if (!complaint.empty() && complaint.find('\n') == std::string::npos) return;
+  std::fprintf(stderr, "a complaint is not one line: '%s'\n", complaint.c_str());
+  std::abort();
+}
+
+}  // namespace
+
+void and_go_on(const std::function<void()>& part) {
+  try {
+    part();
+  } catch (const InputError& error) {
+    expect_one_line(error.what());
+  }
+}
 
 const std::filesystem::path& folder() {
   struct Folder {
@@ -52,12 +69,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    hbr::fuzz::read({reinterpret_cast<const char*>(data), size});
-  } catch (const hbr::InputError& error) {
-    const std::string line = error.what();
-    if (!line.empty() && line.find('\n') == std::string::npos) return 0;
-    std::fprintf(stderr, "a complaint is not one line: '%s'\n", line.c_str());
-    std::abort();
+    hbr::fuzz::and_go_on([&] { hbr::fuzz::read({reinterpret_cast<const char*>(data), size}); });
   } catch (const std::exception& error) {
     std::fprintf(stderr, "no InputError: %s\n", error.what());
     std::abort();
