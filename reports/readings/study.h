@@ -23,8 +23,8 @@ struct StudiedRun {
 // The contents of readings.json:
 //   readings  [{id, values}]
 //   runs      [{name, levels, distances: of each figure (null where it could not be computed), distance: of
-//             all (null likewise), claims: how many it {reproduced, partly, not}}], in order of the
-//             combinations
+//             all (null likewise), claims: how many it {reproduced, partly, undecided, not}}], in order of
+//             the combinations
 //   nearest   place among the runs, the least distance first; of equals, and where the readings move none of
 //             the figures, the one that reproduces more claims, then the one that contradicts fewer
 //   figures   [{id, place, words, median, quartiles, x: of each run (null ...), moved}] of those that differ
@@ -34,7 +34,7 @@ struct StudiedRun {
 // `moved` is null where a run has no x, otherwise the analysis of variance of x (of ln x where all are
 // positive; what is multiplied by a reading is then moved alike by it whatever the others are) over the
 // readings: {logarithm, terms: [{readings: places of one or two, share, degrees, p (null ...)}], effects:
-// [reading][value], unexplained} (pipeline/statistics/factorial.h).
+// [reading][value], unexplained, runs: how many differ} (pipeline/statistics/factorial.h).
 // Throws InputError where a file or statistics are not as described.
 nlohmann::json study_readings(const std::vector<StudiedReading>& readings,
                               const std::vector<StudiedRun>& runs, const std::filesystem::path& figures,

@@ -24,6 +24,13 @@ constexpr std::size_t kShown = 8;  // combinations
 
 std::string text(const json& value) { return escape_html(value.get<std::string>()); }
 
+// What a study may be without: null, or not there.
+const json& if_any(const json& table, const char* key) {
+  static const json none;
+  const auto found = table.find(key);
+  return found == table.end() ? none : *found;
+}
+
 class StudyTables {
  public:
   StudyTables(const json& study, const json& ledger) : study_(study) {
@@ -62,7 +69,7 @@ class StudyTables {
     head.insert(head.end(), {"Two together", "Unexplained"});
     std::vector<Row> rows;
     for (const json& figure : study_.at("figures")) {
-      const json& moved = figure.at("moved");
+      const json& moved = if_any(figure, "moved");
       Row row{text(figure.at("words")) +
               (moved.is_null()
                    ? ""
@@ -91,7 +98,8 @@ class StudyTables {
             (verdict.empty() ? "no answer" : verdict_badge(verdict, "a claim")) + fmt::format(" {} ", runs);
       std::string movers;
       for (const json& check : claim.at("checks"))
-        movers += fmt::format("<div>{}: {}</div>", text(check.at("words")), movers_of(check.at("moved")));
+        movers +=
+            fmt::format("<div>{}: {}</div>", text(check.at("words")), movers_of(if_any(check, "moved")));
       rows.push_back(
           {fmt::format("<a href=\"#claim-{}\">{}</a>", text(claim.at("id")), text(claim.at("statement"))),
            verdicts, movers});
@@ -105,12 +113,12 @@ class StudyTables {
  private:
   static std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
   static bool told(const json& term) {
-    return term.at("share").get<double>() >= kWorthTelling &&
-           (term.at("p").is_null() || term.at("p").get<double>() < kEvidence);
+    const json& p = if_any(term, "p");
+    return term.at("share").get<double>() >= kWorthTelling && (p.is_null() || p.get<double>() < kEvidence);
   }
 
   Row combination(std::size_t rank, std::size_t place, const json& run, bool plain) const {
-    const json &distance = run.at("distance"), &claims = run.at("claims");
+    const json &distance = if_any(run, "distance"), &claims = run.at("claims");
     Row row{
         fmt::format("{}{}", rank + 1, plain ? " (this run)" : ""),
         distance.is_null() ? "–" : fmt::format("{:.2f}", distance.get<double>()),

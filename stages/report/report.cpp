@@ -2,12 +2,12 @@
 // below OUT; the settings say where the claims and the readings are written down.
 #include "reports/page/report.h"
 
-#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/statistics/statistics_file.h"
 #include "reports/claims/claims.h"
 #include "reports/claims/readings.h"
 #include "reports/kept/speed.h"
+#include "reports/readings/study_file.h"
 
 namespace hbr::inline stages {
 
@@ -56,7 +56,7 @@ void run(StageRun& stage) {
   nlohmann::json study;
   for (const std::string& name : stage.inputs())
     if (name == "readings.json")
-      study = read_json(stage.input(name));
+      study = read_study(stage.input(name));
     else if (!name.ends_with("statistics.json"))
       artifacts[name] = stage.input(name);
   std::vector<VariationClaims> variations;

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <fstream>
 
+#include "pipeline/artifact/content.h"
 #include "pipeline/core/check.h"
 #include "reports/readings/paper_figures.h"
+#include "reports/readings/study_file.h"
 #include "reports/readings/study_html.h"
+#include "tests/support/damaged_json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -144,6 +147,54 @@ TEST_F(StudyOfReadings, BecomesASection) {
   EXPECT_THAT(html, HasSubstr("(this run)"));
   EXPECT_THAT(html, HasSubstr("#claim-flat_arcs_worse"));
   EXPECT_EQ(study_html(json(), ledger), "");
+}
+
+// What the report says of a readings.json; "" where it shows it.
+std::string refusal_of(const std::filesystem::path& path) {
+  try {
+    study_html(read_study(path), json::array());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(StudyOfReadings, ItsFileIsReadStrictly) {
+  const std::vector<StudiedReading> one{readings_[0]};
+  const std::vector<StudiedRun> two{{{0}, "", statistics(500, 1.6)},
+                                    {{1}, "readings_1", statistics(1000, 2.4)}};
+  const json study = study_readings(one, two, file(figure("quartiles = [800, 1250]")), kClaimFile);
+  const std::filesystem::path path = folder_.path() / "readings.json";
+  const auto told_of = [&](const json& changed) {
+    write_file(path, changed.dump(1));
+    return refusal_of(path);
+  };
+  EXPECT_EQ(told_of(study), "");
+  std::size_t refusals = 0;
+  const std::vector<Damage> all = damages_of(study.dump(1));
+  for (const auto& [what, text] : all) {
+    write_file(path, text);
+    const std::string told = refusal_of(path);
+    EXPECT_THAT(told, Not(HasSubstr("\n"))) << what;
+    refusals += told.starts_with(path.string() + ": ");
+  }
+  EXPECT_GT(refusals, all.size() / 2);
+  for (const auto& [pointer, value, told] :
+       {std::tuple("/runs/0/claims", json(), "runs.0.claims: expected a table"),
+        {"/runs/0/levels/0", json(2), "runs.0.levels: expected places below 2, found 2"},
+        {"/runs/0/levels", json::array(), "runs.0.levels: expected 1 of them, found 0"},
+        {"/nearest/1", json(7), "nearest: expected places below 2, found 7"},
+        {"/figures/0/x", json{1}, "figures.0.x: expected 2 of them, found 1"},
+        {"/figures/0/x/0", json("x"), "figures.0.x.0: expected a number"},
+        {"/figures/0/moved/effects/0", json{0.5}, "moved.effects.0: expected 2 of them, found 1"},
+        {"/figures/0/moved/effects/0/0", json(true), "moved.effects.0.0: expected a number"},
+        {"/figures/0/moved/terms", json::array(), "moved.terms: expected at least 1, found 0"},
+        {"/figures/0/moved/terms/0/readings/0", json(1), "moved.terms: expected places below 1, found 1"},
+        {"/claims/0/verdicts", json::array(), "claims.0.verdicts: expected 2 of them, found 0"}}) {
+    json changed = study;
+    changed[json::json_pointer(pointer)] = value;
+    EXPECT_THAT(told_of(changed), testing::AllOf(testing::StartsWith(path.string() + ": "), HasSubstr(told)));
+  }
 }
 
 TEST_F(StudyOfReadings, ReadsThePapersFiguresStrictly) {
