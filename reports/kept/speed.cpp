@@ -11,6 +11,7 @@
 #include "pipeline/artifact/profile.h"
 #include "pipeline/artifact/toolchain.h"
 #include "pipeline/core/check.h"
+#include "reports/kept/repetitions.h"
 #include "reports/text/format.h"
 #include "reports/text/html.h"
 
@@ -88,24 +89,6 @@ void describe(Fields& f, KeptSpeed& s) {
 namespace {
 
 using nlohmann::json;
-
-// The fastest repetition of every benchmark, by its name without the tail that repetitions add.
-std::map<std::string, json> fastest(const std::vector<std::filesystem::path>& results) {
-  std::map<std::string, json> best;
-  for (const auto& path : results) {
-    const json result = read_json(path);
-    if (!result.is_object() || !result.contains("benchmarks"))
-      throw InputError("{} is not what Google Benchmark writes", path.string());
-    for (const json& one : result["benchmarks"]) {
-      if (one.value("run_type", "") != "iteration" || !one.contains("items_per_second")) continue;
-      std::string name = one.at("run_name");
-      for (const char* tail : {"/iterations:", "/repeats:"}) name = name.substr(0, name.find(tail));
-      json& kept = best[name];
-      if (kept.is_null() || one["items_per_second"] > kept["items_per_second"]) kept = one;
-    }
-  }
-  return best;
-}
 
 std::string machine() {
   std::ifstream file("/proc/cpuinfo");
@@ -209,7 +192,7 @@ std::string where(const json& speed) {
 json condense_speed(const std::filesystem::path& rows, const std::vector<std::filesystem::path>& results,
                     bool whole) {
   const auto wanted = read_profile<SpeedRows>(rows);
-  const auto best = checked("what Google Benchmark wrote", [&] { return fastest(results); });
+  const std::map<std::string, Repetition> best = fastest_repetitions(results);
   json speed{{"machine", machine()}, {"peers_from", wanted.peers_from}, {"rows", json::array()}};
   const json tools = toolchain();
   for (const char* word : {"compiler", "flags", "architecture"}) speed[word] = tools.at(word);
@@ -222,17 +205,18 @@ json condense_speed(const std::filesystem::path& rows, const std::vector<std::fi
     if (measured == best.end()) continue;
     json with = json::object(), peers = json::array();
     for (const std::string& counter : row.with) {
-      if (!measured->second.contains(counter))
+      const auto value = measured->second.numbers.find(counter);
+      if (value == measured->second.numbers.end())
         throw InputError("{}: '{}' has no counter '{}'", rows.string(), row.benchmark, counter);
-      with[counter] = measured->second[counter];
+      with[counter] = value->second;
     }
     for (const SpeedPeer& peer : row.peers) peers.push_back({{"name", peer.name}, {"rate", peer.rate}});
     speed["rows"].push_back(
         {{"what", row.what},
          {"item", row.item},
-         {"rate", measured->second["items_per_second"]},
+         {"rate", measured->second.rate},
          {"against", row.against},
-         {"reference_rate", reference == best.end() ? json() : reference->second["items_per_second"]},
+         {"reference_rate", reference == best.end() ? json() : json(reference->second.rate)},
          {"with", with},
          {"peers", peers}});
   }
