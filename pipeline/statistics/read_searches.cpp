@@ -2,9 +2,10 @@
 #include <limits>
 
 #include "pipeline/artifact/hdf5_file.h"
-#include "pipeline/artifact/json_file.h"
 #include "pipeline/artifact/repertoire_file.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/json_text.h"
+#include "pipeline/core/settings.h"
 #include "pipeline/statistics/curves.h"
 #include "pipeline/statistics/readers.h"
 #include "pipeline/statistics/summary.h"
@@ -21,18 +22,32 @@ struct Search {
 
 bool draws_arcs(const ArtifactName& name) { return name.head == "layer3" || name.head == "flat_arcs"; }
 
+struct Sampled {
+  double samples = 1;
+};
+template <class Fields>
+void describe(Fields& f, Sampled& s) {
+  f.number("samples", s.samples, Range{1, 1e9}, "of the stochastic descriptor");
+}
+
 // A genome that is executed from starts is so once for every sample of its stochastic descriptor, or once
 // where its descriptor holds the start.
 void add_executions(const Hdf5Reader& file, const std::string& prefix, double evaluations,
                     StatisticsTable& table) {
   if (!file.has_attribute("settings")) return;
-  const auto settings = parse_json(file.text_attribute("settings"), file.path().string() + ": settings");
-  if (!settings.is_object() || !settings.contains("layer") || !settings["layer"].is_object()) return;
+  const std::string where = file.path().string() + ": settings";
+  const auto settings = parse_json(file.text_attribute("settings"), where);
+  if (!settings.is_object())
+    throw InputError("{}: expected a table; delete the file and make it again", where);
+  if (!settings.contains("layer")) return;
   const auto& layer = settings["layer"];
+  if (!layer.is_object())
+    throw InputError("{}: layer: expected a table; delete the file and make it again", where);
   if (!layer.contains("starts")) return;
-  const auto samples = layer.find("samples");
-  table.number(prefix + ".executions",
-               evaluations * (samples != layer.end() && samples->is_number() ? samples->get<double>() : 1));
+  Sampled sampled;
+  if (layer.contains("samples"))
+    sampled = settings_from_json<Sampled>({{"samples", layer["samples"]}}, where + ": layer");
+  table.number(prefix + ".executions", evaluations * sampled.samples);
 }
 
 Search read_search(const Artifact& artifact, StatisticsTable& table) {
