@@ -4,10 +4,11 @@
 #include <cctype>
 #include <charconv>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
 #include <string_view>
 
 #include "pipeline/core/check.h"
+#include "pipeline/core/json_text.h"
 
 namespace hbr::inline robots {
 namespace {
@@ -98,27 +99,34 @@ fs::path near(const fs::path& urdf, const fs::path& name) {
   return {};
 }
 
-// Other files that a mesh names: an OBJ its materials, a glTF its buffers.
-std::vector<fs::path> named_by(const fs::path& mesh) {
-  std::string ending = mesh.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+// Of a glTF's buffers.
+std::vector<fs::path> buffers_of(const fs::path& mesh) {
+  std::ifstream file(mesh, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}},
+      where = mesh.string() + ": not a mesh that can be read";
+  const nlohmann::json all = parse_json(text, where);
+  const auto is_buffer = [](const nlohmann::json& buffer) {
+    return buffer.is_object() && (!buffer.contains("uri") || buffer["uri"].is_string());
+  };
+  if (!all.is_object()) throw InputError("{}: expected a table, as glTF is", where);
+  std::vector<fs::path> names;
+  if (!all.contains("buffers")) return names;
+  const nlohmann::json& buffers = all["buffers"];
+  if (!buffers.is_array() || !std::ranges::all_of(buffers, is_buffer))
+    throw InputError("{}: buffers: expected a list of tables whose 'uri', if any, is a text", where);
+  for (const nlohmann::json& buffer : buffers)
+    if (buffer.contains("uri")) names.emplace_back(decoded(buffer["uri"].get<std::string>()));
+  return names;
+}
+
+// Of an OBJ's materials.
+std::vector<fs::path> materials_of(const fs::path& mesh) {
+  constexpr std::string_view kKey = "mtllib ";
   std::vector<fs::path> names;
   std::ifstream file(mesh, std::ios::binary);
-  if (ending == ".obj") {
-    constexpr std::string_view kKey = "mtllib ";
-    for (std::string line; std::getline(file, line);)
-      if (line.starts_with(kKey)) names.emplace_back(line.substr(kKey.size(), line.find('\r') - kKey.size()));
-  } else if (ending == ".gltf") {
-    const nlohmann::json all = nlohmann::json::parse(file, nullptr, false);
-    if (all.is_object() && all.contains("buffers") && all["buffers"].is_array())
-      for (const nlohmann::json& buffer : all["buffers"])
-        if (buffer.is_object() && buffer.contains("uri") && buffer["uri"].is_string())
-          names.emplace_back(decoded(buffer["uri"].get<std::string>()));
-  }
-  std::vector<fs::path> found;
-  for (const fs::path& name : names)
-    if (const fs::path path = mesh.parent_path() / name; is_file(path)) found.push_back(path);
-  return found;
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with(kKey)) names.emplace_back(line.substr(kKey.size(), line.find('\r') - kKey.size()));
+  return names;
 }
 
 }  // namespace
@@ -144,6 +152,17 @@ FoundMesh find_mesh(const std::string& name, const fs::path& urdf, const fs::pat
       urdf.string(), name);
 }
 
+std::vector<fs::path> named_by_mesh(const fs::path& mesh) {
+  std::string ending = mesh.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  std::vector<fs::path> names, found;
+  if (ending == ".obj") names = materials_of(mesh);
+  if (ending == ".gltf") names = buffers_of(mesh);
+  for (const fs::path& name : names)
+    if (const fs::path path = mesh.parent_path() / name; is_file(path)) found.push_back(path);
+  return found;
+}
+
 std::vector<fs::path> mesh_files(const RobotModel& model, const fs::path& folder) {
   std::vector<fs::path> files;
   const auto add = [&files](const fs::path& file) {
@@ -152,14 +171,12 @@ std::vector<fs::path> mesh_files(const RobotModel& model, const fs::path& folder
   for (const Link& link : model.links)
     for (const Visual& visual : link.visuals) {
       if (visual.kind != Visual::Kind::mesh) continue;
-      fs::path mesh;
       try {
-        mesh = find_mesh(visual.mesh, model.path, folder).path;
-      } catch (const InputError&) {
-        continue;  // whoever needs it says so
+        const fs::path mesh = find_mesh(visual.mesh, model.path, folder).path;
+        add(mesh);
+        for (const fs::path& other : named_by_mesh(mesh)) add(other);
+      } catch (const InputError&) {  // whoever reads the mesh says so
       }
-      add(mesh);
-      for (const fs::path& other : named_by(mesh)) add(other);
     }
   return files;
 }

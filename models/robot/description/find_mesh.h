@@ -22,8 +22,13 @@ struct FoundMesh {
 FoundMesh find_mesh(const std::string& name, const std::filesystem::path& urdf,
                     const std::filesystem::path& folder);
 
-// All files that a robot's looks depend on: its meshes, found as above, and what they name themselves (an
-// OBJ's materials, a glTF's buffers), each once, in the order of the links. What is missing is left out.
+// Other files that a mesh names, if they are there: an OBJ its materials, a glTF its buffers. Throws
+// InputError where a glTF does not tell.
+std::vector<std::filesystem::path> named_by_mesh(const std::filesystem::path& mesh);
+
+// All files that a robot's looks depend on: its meshes, found as above, and what they name themselves, each
+// once, in the order of the links. What is missing, and what a mesh does not tell, is left out: whoever reads
+// the mesh says so.
 std::vector<std::filesystem::path> mesh_files(const RobotModel& model, const std::filesystem::path& folder);
 
 }  // namespace hbr::inline robots

@@ -140,6 +140,8 @@ std::vector<Mesh> load_meshes(const fs::path& path, const Eigen::Vector3d& scale
                               const Eigen::Vector3f& uncoloured) {
   std::error_code ignored;
   if (!fs::is_regular_file(path, ignored)) throw InputError("{}: no such mesh", path.string());
+  // What assimp would read along, an artifact's key has to know: a file that tells assimp alone is refused.
+  named_by_mesh(path);
   const std::size_t size = fs::file_size(path, ignored);
   // Damaged files make assimp crash, loop or ask for any amount of memory.
   const OwnProcess reader{(std::size_t{256} << 20) + 64 * size, static_cast<unsigned>(20 + (size >> 22))};

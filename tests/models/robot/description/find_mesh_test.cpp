@@ -83,12 +83,27 @@ TEST(MeshFiles, AreAllThatARobotLooksLike) {
   folder.write("a.obj", "# mtllib not.mtl\nmtllib a.mtl\r\nmtllib gone.mtl\nv 0 0 0\n");
   folder.write("a.mtl", "");
   folder.write("not.mtl", "");
-  folder.write("b.gltf", R"({"buffers": [{"uri": "b.bin"}, {"uri": "data:x"}, {}, 3]})");
+  folder.write("b.gltf", R"({"buffers": [{"uri": "b.bin"}, {"uri": "data:x"}, {}]})");
   folder.write("b.bin", "");
   EXPECT_THAT(mesh_files(model, ""),
               testing::ElementsAre(at / "a.obj", at / "a.mtl", at / "b.gltf", at / "b.bin"));
-  folder.write("b.gltf", "{");
-  EXPECT_THAT(mesh_files(model, ""), testing::ElementsAre(at / "a.obj", at / "a.mtl", at / "b.gltf"));
+  // A glTF that does not tell its buffers is refused by whoever reads it.
+  for (const auto& [text, told] :
+       {std::pair("{", "not JSON: at line 1"),
+        {R"({"buffers": [{"uri": "b.bin"}], "buffers": [{"uri": "c.bin"}]})",
+         "the key \"buffers\" stands twice"},
+        {"{\"name\": \"\xff\", \"buffers\": [{\"uri\": \"b.bin\"}]}", "not JSON: at line 1"},
+        {R"([{"uri": "b.bin"}])", "expected a table"},
+        {R"({"buffers": {"uri": "b.bin"}})", "buffers: expected a list of tables"},
+        {R"({"buffers": [{"uri": "b.bin"}, 3]})", "buffers: expected a list of tables"},
+        {R"({"buffers": [{"uri": 3}]})", "buffers: expected a list of tables"}}) {
+    folder.write("b.gltf", text);
+    EXPECT_THAT([&] { named_by_mesh(at / "b.gltf"); },
+                testing::ThrowsMessage<InputError>(testing::AllOf(
+                    testing::StartsWith((at / "b.gltf").string() + ": not a mesh that can be read: "),
+                    testing::HasSubstr(told))));
+    EXPECT_THAT(mesh_files(model, ""), testing::ElementsAre(at / "a.obj", at / "a.mtl", at / "b.gltf"));
+  }
   // A file's end is the same in capitals, and what a glTF names is an address.
   const RobotModel loud = load_urdf(folder.write(
       "b.urdf", robot(link("a", shows("A.OBJ")) + link("b", shows("B.GLTF")) + joint("i", "a", "b"))));
