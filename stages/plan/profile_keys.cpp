@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "pipeline/core/check.h"
 #include "pipeline/core/settings_list.h"
 #include "pipeline/hierarchy/layers.h"
 #include "stages/layers/search_settings.h"
@@ -33,6 +34,15 @@ std::string line_of(const SettingsKey& key, const std::string& value) {
                      key.meaning);
 }
 
+// Of the profile, or none.
+json table_of(const SettingsSource& profile, const char* key) {
+  const auto found = profile.values.find(key);
+  if (found == profile.values.end()) return json::object();
+  if (!found->is_object())
+    throw InputError("{}: {}: expected a table, found {}", profile.file, key, found->dump());
+  return *found;
+}
+
 }  // namespace
 
 std::string profile_keys(const SettingsSource& profile) {
@@ -40,7 +50,7 @@ std::string profile_keys(const SettingsSource& profile) {
       "base = ...\n    text: the file of the profile that this one changes, relative to its own folder\n";
   for (const SettingsKey& key : settings_keys<Profile>())
     text += line_of(key, value_of(profile.values, key.name));
-  const json defaults = profile.values.value("defaults", json::object());
+  const json defaults = table_of(profile, "defaults");
   const auto search = settings_keys<SearchTable>();
   text +=
       "\n[layers.NAME], [defaults.KIND] or [defaults], of every kind\n"
@@ -55,7 +65,7 @@ std::string profile_keys(const SettingsSource& profile) {
     }
   }
   text += "\nWhat the layers of this profile say themselves, in place of what stands above\n";
-  const json layers = profile.values.value("layers", json::object());
+  const json layers = table_of(profile, "layers");
   for (const auto& [name, own] : layers.items())
     for (const auto& [key, value] : own.items())
       text += fmt::format("layers.{}.{} = {}\n", name, key, value.dump());

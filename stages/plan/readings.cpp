@@ -13,10 +13,23 @@ namespace {
 constexpr const char* kLedger = "reports/readings.toml";
 constexpr std::size_t kMostValues = 10;  // a digit each
 
+// Of the readings that the ledger holds; the report reads all of it.
+std::vector<std::string> ids_in_ledger() {
+  const SettingsSource ledger = read_toml(kLedger);
+  const auto readings = ledger.values.find("readings");
+  if (readings == ledger.values.end() || !readings->is_array())
+    throw InputError("{}: expected the list of tables 'readings'", kLedger);
+  std::vector<std::string> ids;
+  for (const nlohmann::json& reading : *readings) {
+    if (!reading.is_object() || !reading.contains("id") || !reading["id"].is_string())
+      throw InputError("{}: readings.{}: expected a table with the text 'id'", kLedger, ids.size());
+    ids.push_back(reading["id"].get<std::string>());
+  }
+  return ids;
+}
+
 void check(const std::string& file, const ReadingsTable& readings) {
-  std::vector<std::string> ledger;
-  const nlohmann::json readings_there = read_toml(kLedger).values.at("readings");
-  for (const nlohmann::json& reading : readings_there) ledger.push_back(reading.at("id"));
+  const std::vector<std::string> ledger = ids_in_ledger();
   std::set<std::string> taken;
   for (const StudiedOption& option : readings.options) {
     const std::string where = file + ": readings.options '" + option.id + "'";

@@ -3,6 +3,7 @@
 #include "models/robot/plane/planar_body.h"
 #include "models/robot/plane/plane_file.h"
 #include "pipeline/artifact/stage.h"
+#include "pipeline/core/check.h"
 #include "pipeline/hierarchy/drawing_settings.h"
 #include "stages/layers/body.h"
 #include "stages/robots/robot_links.h"
@@ -35,7 +36,9 @@ Shown shown(const StageRun& stage, const nlohmann::json& body) {
     auto meshes = link_meshes(robot.body().model(), "", 1);
     return {std::move(robot), std::move(meshes)};
   }
-  const auto table = settings_from_json<RobotSettings>(body.at("robot"), stage.name() + ": body.robot");
+  if (!body.contains("robot"))
+    throw InputError("{}: body is neither an arm nor a robot; expected one of the two", stage.name());
+  const auto table = settings_from_json<RobotSettings>(body["robot"], stage.name() + ": body.robot");
   RobotOnPlane robot = make_robot(table, load_plane(stage.input("plane")));
   auto meshes = robot_links(stage, robot.body().model(), table);
   return {std::move(robot), std::move(meshes)};

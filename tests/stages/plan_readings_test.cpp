@@ -90,6 +90,24 @@ TEST_F(PlannedReadings, MayBeAFractionAndMayNotMeet) {
             "no complaint");
 }
 
+// A ledger that was edited: the sources stand elsewhere, but for it.
+TEST_F(PlannedReadings, OfALedgerThatIsNoneAreRefused) {
+  for (const auto& entry : fs::directory_iterator(HBR_SOURCE_DIR))
+    if (entry.path().filename() != "reports")
+      fs::create_symlink(entry.path(), folder_.path() / entry.path().filename());
+  fs::create_directories(folder_.path() / "reports");
+  fs::current_path(folder_.path());
+  for (const auto& [ledger, told] :
+       {std::pair("x = 1", "reports/readings.toml: expected the list of tables 'readings'"),
+        {"readings = 3", "reports/readings.toml: expected the list of tables 'readings'"},
+        {"readings = [3]", "reports/readings.toml: readings.0: expected a table with the text 'id'"},
+        {"[[readings]]\nid = \"mutation\"\n[[readings]]\ntitle = \"x\"",
+         "reports/readings.toml: readings.1: expected a table with the text 'id'"}}) {
+    std::ofstream(folder_.path() / "reports/readings.toml") << ledger;
+    EXPECT_THAT(complaint(mutation), HasSubstr(told));
+  }
+}
+
 TEST_F(PlannedReadings, AreReadStrictly) {
   EXPECT_THAT(complaint(option("mutations", "set.defaults.mutation = \"every\"")),
               HasSubstr("there is no such reading in reports/readings.toml (did you mean 'mutation'?)"));

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "pipeline/artifact/profile.h"
+#include "pipeline/core/check.h"
 #include "pipeline/hierarchy/layers.h"
 #include "tests/stages/planned.h"
 
@@ -51,6 +52,16 @@ TEST(ProfileKeys, AreAllThatThePaperSays) {
   // What a kind's own defaults say comes before what all have.
   const std::size_t digits = text.find("with kind = \"digits\"");
   EXPECT_THAT(text.substr(digits), HasSubstr("\nout_of_range = \"radius\"\n    radius | axes | reject: "));
+}
+
+TEST(ProfileKeys, OfWhatIsNoTableAreRefused) {
+  for (const char* key : {"defaults", "layers"}) {
+    SettingsSource profile = read_inheriting(kProfiles / "paper.toml");
+    profile.values[key] = 3;
+    EXPECT_THAT([&] { profile_keys(profile); },
+                testing::ThrowsMessage<InputError>(testing::AllOf(
+                    HasSubstr("paper.toml: "), HasSubstr(std::string(key) + ": expected a table, found 3"))));
+  }
 }
 
 }  // namespace
