@@ -8,7 +8,9 @@
 #include <tbb/task_arena.h>
 
 #include <cstddef>
-#ifdef __SANITIZE_THREAD__
+
+#include "pipeline/core/sanitizers.h"
+#if HBR_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
 
@@ -19,7 +21,7 @@ namespace detail {
 // thread sanitizer can't see that, TBB is not built for it, and so it is told. Bodies it still compares.
 class LoopOrder {
  public:
-#ifdef __SANITIZE_THREAD__
+#if HBR_THREAD_SANITIZER
   LoopOrder() { __tsan_release(&begun_); }
   ~LoopOrder() { __tsan_acquire(&ended_); }
   struct Body {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pipeline/core/sanitizers.h"
 #include "tests/end_to_end/small_file_system.h"
 
 namespace hbr {
@@ -141,7 +142,7 @@ TEST(Places, AnotherUsersFinishedRunMayBeLookedAt) {
 }
 
 TEST(Places, WithoutMemoryTheStageAndTheLimitAreTold) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if HBR_ADDRESS_SANITIZER || HBR_THREAD_SANITIZER
   GTEST_SKIP() << "the sanitizers need all addresses there are";
 #endif
   FakeFolder folder("memory");

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "pipeline/artifact/content.h"
+#include "pipeline/core/sanitizers.h"
 #include "tests/end_to_end/fake_folder.h"
 
 namespace hbr {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // The sanitizers read the table of what is mapped again and again, and its length changes from run to run.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if HBR_ADDRESS_SANITIZER || HBR_THREAD_SANITIZER
 constexpr std::int64_t kSanitizersNoise = 10'000;
 #else
 constexpr std::int64_t kSanitizersNoise = 0;

@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "pipeline/artifact/manifest.h"
+#include "pipeline/core/sanitizers.h"
 #include "tests/end_to_end/launcher.h"
 
 namespace hbr {
@@ -228,7 +229,7 @@ TEST(Runner, BadFoldersAndFullDisksAreOneClearLine) {
           "use another place\n");
   EXPECT_EQ(shell(folder.command_at("/proc/hbr", "make")).code, 2);
 
-#ifndef __SANITIZE_THREAD__  // its own memory is a file, which such a limit cuts
+#if !HBR_THREAD_SANITIZER  // its own memory is a file, which such a limit cuts
   folder.profile.layer_a.size = 100'000;
   const ShellResult full = shell("ulimit -f 200; " + folder.command("make"));
   EXPECT_NE(full.code, 0);

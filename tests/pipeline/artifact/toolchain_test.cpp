@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "pipeline/core/sanitizers.h"
+
 namespace hbr {
 namespace {
 
@@ -23,6 +25,16 @@ TEST(Toolchain, FlagsAreThoseOfTheCode) {
   // Two processors that are both native are not one and the same.
   EXPECT_THAT(flags, testing::Not(testing::ContainsRegex("-march=native( [^(]|$)")));
   EXPECT_THAT(flags, testing::Not(testing::ContainsRegex("-W|-g[0-9]?( |$)|prefix-map|" HBR_SOURCE_DIR)));
+}
+
+// Whichever compiler it is: they say it in different ways.
+TEST(Toolchain, TellsWhichSanitizerItIsFor) {
+  const std::string flags = toolchain().at("flags");
+  const auto asked_for = [&](const char* sanitizer) {
+    return flags.find(std::string("-fsanitize=") + sanitizer) != std::string::npos;
+  };
+  EXPECT_EQ(HBR_THREAD_SANITIZER, asked_for("thread")) << flags;
+  EXPECT_EQ(HBR_ADDRESS_SANITIZER, asked_for("address")) << flags;
 }
 
 TEST(Toolchain, NamesTheLibrariesThatMakeBytes) {

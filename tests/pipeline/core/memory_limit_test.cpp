@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "pipeline/core/sanitizers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace hbr {
@@ -53,7 +54,7 @@ TEST_F(MemoryLimit, OfTheFirstVersionsGroupOfMemoryOnly) {
 }
 
 TEST_F(MemoryLimit, OfTheShellWhereThatIsLess) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if HBR_ADDRESS_SANITIZER || HBR_THREAD_SANITIZER
   GTEST_SKIP() << "the sanitizers need all addresses there are";
 #endif
   write("proc/self/cgroup", "0::/\n");
