@@ -31,16 +31,13 @@ std::vector<std::string> examples() {
 
 void read(const std::string& bytes) {
   if (bytes.empty()) return;
-  try {  // what the other process may say when it went astray
-    unpacked("mesh", bytes.substr(1));
-  } catch (const InputError&) {
-  }
+  and_go_on([&] { unpacked("mesh", bytes.substr(1)); });  // what the other process may say astray
   const auto format = static_cast<unsigned char>(bytes[0]) % std::size(kFormats);
   const std::filesystem::path path = written(kFormats[format].second, bytes.substr(1));
   RobotModel model{"", folder() / "robot.urdf", {Link{"a", {}, {}}}, {}, {}};
   model.links[0].visuals.push_back(
       {Visual::Kind::mesh, Eigen::Isometry3d::Identity(), path.string(), {1, 1, 1}, {}});
-  mesh_files(model, "");
+  and_go_on([&] { mesh_files(model, ""); });
   load_meshes(path);
 }
 

@@ -35,12 +35,12 @@ std::vector<std::string> examples() {
 
 void read(const std::string& bytes) {
   const std::filesystem::path path = written("slice.json", bytes);
-  read_slice(path);
+  and_go_on([&] { read_slice(path); });
   const StageRun stage(path, folder(), folder() / "output", folder() / "checkpoint", 1);
-  stage.settings_as<Settings>();
+  and_go_on([&] { stage.settings_as<Settings>(); });
   Hdf5Writer file(stage.output());
-  stage.write_settings(file);
-  for (const std::string& name : stage.inputs()) stage.input(name);
+  and_go_on([&] { stage.write_settings(file); });
+  for (const std::string& name : stage.inputs()) and_go_on([&] { stage.input(name); });
 }
 
 }  // namespace hbr::fuzz

@@ -38,12 +38,14 @@ std::vector<std::string> examples() {
 
 void read(const std::string& bytes) {
   const RobotModel model = load_urdf(written("robot.urdf", bytes));
-  joint_table(model);
-  for (const Chain& chain : chains_of(model)) {
-    farthest_reach(chain);
-    reached_points(chain, 3);
-  }
-  oddities(model, 1);
+  and_go_on([&] { joint_table(model); });
+  and_go_on([&] {
+    for (const Chain& chain : chains_of(model)) {
+      farthest_reach(chain);
+      reached_points(chain, 3);
+    }
+  });
+  and_go_on([&] { oddities(model, 1); });
   const Body body(model, model.independent_joints());
   body.link_poses(body.posture({}));
 }
