@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <limits>
 #include <memory>
 #include <optional>
 
 #include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 
 namespace hbr::inline dataset {
 namespace {
@@ -30,7 +32,7 @@ fs::path plain_or_packed(const fs::path& file) {
 class Unpacked {
  public:
   explicit Unpacked(const fs::path& path) : path_(path), file_(gzopen(path.c_str(), "rb"), gzclose_r) {
-    if (!file_) throw InputError("{}: can't be read", path_.string());
+    if (!file_) throw file_error(path_, "can't read", errno);
   }
   // Reads on until `bytes` has that size, or the file has ended. Room is made as it is needed: a size may be
   // a damaged header's.
@@ -89,6 +91,12 @@ Idx read_idx(const fs::path& file, std::size_t dimensions, const std::string& sh
   const std::size_t header = 4 + 4 * dimensions, expected_magic = 0x0800 + dimensions;
   content.read_to(header, bytes);
   const bool whole_header = bytes.size() == header;
+  const auto other_length = [&](const std::string& found) {
+    return InputError(
+        "{}: its length is not what its header says: expected {} bytes after the header, found {}; fetch it "
+        "again",
+        name, fmt::join(idx.shape, " x "), found);
+  };
   if (whole_header) {
     if (const std::size_t magic = big_endian(bytes.data()); magic != expected_magic)
       throw InputError(
@@ -101,9 +109,7 @@ Idx read_idx(const fs::path& file, std::size_t dimensions, const std::string& sh
     const std::optional<std::size_t> promised = product(idx.shape);
     if (promised) content.read_to(header + *promised + 1, bytes);
     if (!promised || bytes.size() > header + *promised)
-      throw InputError(
-          "{}: its length is not what its sizes say: expected {} bytes after the header, found {}", name,
-          fmt::join(idx.shape, " x "), promised ? "more" : "fewer: no file has as many");
+      throw other_length(promised ? "more" : "fewer: no file has as many");
   }
   if (!sha256.empty())
     if (const std::string found = sha256_of(bytes); found != sha256)
@@ -112,10 +118,10 @@ Idx read_idx(const fs::path& file, std::size_t dimensions, const std::string& sh
           "another dataset, say so in the profile: under [dataset] its name, and sha256 = []",
           name, sha256, found, bytes.size());
   if (!whole_header)
-    throw InputError("{}: too short: expected at least {} bytes, found {}", name, header, bytes.size());
+    throw InputError("{}: too short: expected a header of {} bytes, found {} bytes in all; fetch it again",
+                     name, header, bytes.size());
   if (bytes.size() < header + *product(idx.shape))
-    throw InputError("{}: its length is not what its sizes say: expected {} bytes after the header, found {}",
-                     name, fmt::join(idx.shape, " x "), bytes.size() - header);
+    throw other_length(fmt::format("{}", bytes.size() - header));
   bytes.erase(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(header));
   idx.values = std::move(bytes);
   return idx;

@@ -162,7 +162,7 @@ std::string HashCache::remembered(const fs::path& path, Hash hash) {
 std::string HashCache::program(const std::string& name) {
   const fs::path path = workspace_.programs / name;
   if (!fs::is_regular_file(path))
-    throw InputError("{}: this stage program is missing: build it", path.string());
+    throw InputError("{}: this stage program is missing: `make build` builds it", path.string());
   return remembered(path, sha256_of_program);
 }
 

@@ -68,8 +68,9 @@ std::map<std::string, std::string> inputs_of(const Workspace& workspace, const N
     made_before.output = output;
     inputs[input] = artifact_hash(workspace, made_before);
     if (inputs[input].empty())
-      throw InputError("{}: its input {} is missing or damaged", name_of(node),
-                       (workspace.out / output).string());
+      throw InputError(
+          "{}: its input {} is missing or damaged: give the same make again, which makes it first",
+          name_of(node), (workspace.out / output).string());
   }
   return inputs;
 }

@@ -72,7 +72,8 @@ std::filesystem::path StageRun::input(const std::string& name) const {
     throw InputError("{}: no input '{}'{}", slice_.string(), name, did_you_mean(name, inputs()));
   std::filesystem::path path = root_ / told_.inputs.at(name);
   if (!std::filesystem::exists(path))
-    throw InputError("{}: missing, the input '{}' of {}", path.string(), name, told_.name);
+    throw InputError("{}: missing, the input '{}' of {}: give the same make again, which makes it first",
+                     path.string(), name, told_.name);
   return path;
 }
 

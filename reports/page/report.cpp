@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "pipeline/artifact/content.h"
-#include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 #include "reports/claims/claims_table.h"
 #include "reports/claims/ledger.h"
 #include "reports/claims/verdicts.h"
@@ -48,7 +48,7 @@ std::string inventory(const ReportContent& content) {
 void write_report(const ReportContent& content, const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder / "figures", error);
-  if (error) throw InputError("cannot make {}: {}", (folder / "figures").string(), error.message());
+  if (error) throw file_error(folder / "figures", "can't make this folder", error.value());
 
   const nlohmann::json sensitivity = sensitivity_table(content.claims, content.variations);
   const Evidence evidence{content.artifacts, StatisticsView(content.statistics)};

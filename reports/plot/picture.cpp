@@ -50,7 +50,8 @@ Drawing picture_file(const std::filesystem::path& png, double width) {
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   const std::vector<char> buffer(bytes.begin(), bytes.end());
   const cv::Mat pixels = buffer.empty() ? cv::Mat() : cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
-  if (pixels.empty()) throw InputError("{} is missing or no PNG", png.string());
+  if (pixels.empty())
+    throw InputError("{} is missing or no PNG; delete its folder and give the same make again", png.string());
   const double height = width * pixels.rows / pixels.cols;
   return {width, height, svg_image(bytes, 0, 0, width, height, "photo")};
 }

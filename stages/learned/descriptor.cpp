@@ -11,6 +11,7 @@
 #include "models/onnx/onnx_descriptor.h"
 #include "pipeline/artifact/stage.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 #include "pipeline/core/parallel.h"
 #include "stages/learned/descriptor_evidence.h"
 #include "stages/learned/descriptor_settings.h"
@@ -21,8 +22,9 @@ namespace {
 constexpr std::size_t kGrain = 256;
 
 std::string content(const std::string& path) {
+  errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError("{}: can't read this file; expected an ONNX network", path);
+  if (!stream) throw file_error(path, "can't read this ONNX network ([descriptor] file)", errno);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

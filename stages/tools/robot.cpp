@@ -20,6 +20,7 @@
 #include "pipeline/artifact/program.h"
 #include "pipeline/artifact/temporary.h"
 #include "pipeline/core/check.h"
+#include "pipeline/core/file_error.h"
 #include "reports/page/robot_page.h"
 #include "stages/robots/shape_file.h"
 
@@ -76,7 +77,7 @@ void keep_within_limits(const RobotModel& model, std::map<std::string, double>& 
 void make_folder(const std::filesystem::path& out) {
   std::error_code failed;
   std::filesystem::create_directories(out, failed);
-  if (failed) throw InputError("{}: can't be made: {}", out.string(), failed.message());
+  if (failed) throw file_error(out, "can't make this folder", failed.value());
 }
 
 Camera view_of(const Scene& scene) {

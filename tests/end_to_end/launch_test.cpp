@@ -89,7 +89,8 @@ TEST(Launch, WhatAStageReadsMayNotChangeMeanwhile) {
   const ShellResult input = folder.make(
       "layer_a --replication 0 " + launcher(folder, "\"$@\"; code=$?; echo x >>" + base + "; exit $code"));
   EXPECT_NE(input.code, 0);
-  EXPECT_THAT(input.text, HasSubstr("layer_a/00: its input " + base + " is missing or damaged"));
+  EXPECT_THAT(input.text, HasSubstr("layer_a/00: its input " + base +
+                                    " is missing or damaged: give the same make again"));
   EXPECT_EQ(made(folder.make("layer_a --replication 0")), "base layer_a/00");
 }
 

@@ -109,7 +109,9 @@ TEST_F(RobotProgram, RefusesInOneLine) {
         {arm + out + " \"\" elbow=1 elbow=2", "its joint is given twice"},
         {arm + out + " \"\" pen_mount=1", "joint 'pen_mount' is fixed"},
         {nao + out + " \"\" RHipYawPitch=.1", "follows joint 'LHipYawPitch'"},
-        {arm + "/proc/no", "/proc/no: can"}}) {
+        {arm + "/proc/no", "/proc/no: can"},
+        {arm + "/dev/null/no",
+         "/no: can\'t make this folder: Not a directory; something above it is no folder"}}) {
     const ShellResult told = robot(arguments + " 2>&1 >/dev/null");
     EXPECT_EQ(told.code, 2) << told.text;
     EXPECT_THAT(told.text, HasSubstr(words));

@@ -96,9 +96,11 @@ TEST_F(DatasetTest, RefusesAFileThatIsTooShort) {
   Bytes bytes = read(kIdxFiles[0]);
   bytes.pop_back();
   write(kIdxFiles[0], bytes);
-  EXPECT_THAT(complaint(kIdxFiles[0]), AllOf(HasSubstr("30 x 28 x 28"), HasSubstr("23519")));
+  EXPECT_THAT(complaint(kIdxFiles[0]),
+              AllOf(HasSubstr("30 x 28 x 28"), HasSubstr("23519"), HasSubstr("fetch it again")));
   write(kIdxFiles[0], {0, 0, 8});
-  EXPECT_THAT(complaint(kIdxFiles[0]), HasSubstr("too short"));
+  EXPECT_THAT(complaint(kIdxFiles[0]),
+              HasSubstr("too short: expected a header of 16 bytes, found 3 bytes in all; fetch it again"));
   write(kIdxFiles[0], {});
   EXPECT_THAT(complaint(kIdxFiles[0]), HasSubstr("too short"));
 }

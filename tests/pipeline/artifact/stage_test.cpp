@@ -86,7 +86,8 @@ TEST_F(Stage, FailuresAreOneLineAndACode) {
   EXPECT_EQ(main([](StageRun& stage) { stage.settings_as<Points>(); }),
             std::pair(2, "lines/00: " + (folder_ / "slice.json").string() +
                              ": count: expected a whole number from 1 to 100 (points to draw), found 0\n"));
-  EXPECT_THAT(main([](StageRun& stage) { stage.input("lost"); }).second, HasSubstr("layer1/01.h5: missing"));
+  EXPECT_THAT(main([](StageRun& stage) { stage.input("lost"); }).second,
+              testing::AllOf(HasSubstr("layer1/01.h5: missing"), HasSubstr("give the same make again")));
   EXPECT_THAT(main([](StageRun& stage) { stage.input("point"); }).second,
               HasSubstr("(did you mean 'points'?)"));
   EXPECT_EQ(main([](StageRun&) { throw std::runtime_error("two\nlines"); }),

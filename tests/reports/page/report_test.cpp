@@ -88,7 +88,8 @@ TEST_F(ReportTest, RefusesWhatIsNotAsDescribed) {
   content = full();
   std::ofstream(pictures_.artifacts().at("nao_picture") / "strip.png") << "no picture";
   EXPECT_THAT([&] { write_report(content, folder_ / "r"); },
-              ThrowsMessage<InputError>(HasSubstr("strip.png is missing or no PNG")));
+              ThrowsMessage<InputError>(HasSubstr(
+                  "strip.png is missing or no PNG; delete its folder and give the same make again")));
   EXPECT_THAT([&] { write_report(full(), "/proc/no/such"); },
               ThrowsMessage<InputError>(HasSubstr("cannot make /proc/no/such/figures")));
 }
