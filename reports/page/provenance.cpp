@@ -1,11 +1,16 @@
 #include "reports/page/provenance.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
+#include <system_error>
 #include <vector>
 
 #include "pipeline/artifact/content.h"
@@ -90,15 +95,27 @@ std::string scaling_html(const std::map<std::string, Manifest>& manifests) {
              duration_text(longest), chain);
 }
 
-// Then there is nothing to write, which a folder that can only be read would refuse.
-bool is_published(const fs::path& page, const std::string& html, const fs::path& report) {
+// What of this page stands at `report`.
+enum class Published { nothing, with_other_provenance, all };
+Published published(const fs::path& page, const std::string& before, const std::string& provenance,
+                    const std::string& after, const fs::path& report) {
   try {
-    std::map<std::string, std::string> files = content_of(page).files;
-    files["index.html"] = sha256_of_text(html);
-    return fs::is_directory(report) && content_of(report).files == files;
+    if (!fs::is_directory(report)) return Published::nothing;
+    std::map<std::string, std::string> files = content_of(page).files, there = content_of(report).files;
+    const std::string html = read_whole(report / "index.html");
+    files.erase("index.html");
+    there.erase("index.html");
+    if (files != there || !html.starts_with(before) || !html.ends_with(after)) return Published::nothing;
+    return html == before + provenance + after ? Published::all : Published::with_other_provenance;
   } catch (const InputError&) {
-    return false;  // writing it anew mends it, or says what is wrong
+    return Published::nothing;  // writing it anew mends it, or says what is wrong
   }
+}
+
+// Why nothing can be put into the folder; "" where that can be tried.
+std::string can_not_write(const fs::path& folder) {
+  const int refused = ::faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK, AT_EACCESS);
+  return refused == 0 ? "" : std::generic_category().message(errno);
 }
 
 }  // namespace
@@ -131,19 +148,30 @@ std::string provenance_html(const fs::path& out) {
 }
 
 void publish_report(const fs::path& page, const fs::path& out, const fs::path& report) {
-  std::string html = read_whole(page / "index.html");
+  const std::string html = read_whole(page / "index.html");
   const std::size_t mark = html.find(kMark);
   if (mark == std::string::npos)
     throw InputError("{} has no place for the provenance; was it made by the report stage?",
                      (page / "index.html").string());
-  html.replace(mark, std::string(kMark).size(), provenance_html(out));
-  if (is_published(page, html, report)) return;
+  const std::string before = html.substr(0, mark), after = html.substr(mark + std::string(kMark).size()),
+                    provenance = provenance_html(out);
+  const Published there = published(page, before, provenance, after, report);
+  if (there == Published::all) return;  // which a folder that can only be read would refuse
+  if (const std::string why = can_not_write(report.parent_path());
+      there == Published::with_other_provenance && !why.empty()) {
+    fmt::print(
+        stderr,
+        "{} stays as it is: its folder can't be written ({}), and only what it tells of its making would "
+        "be told otherwise, as where another Graphviz draws the stages\n",
+        report.string(), why);
+    return;
+  }
 
   // Under names of this process's own: another make may publish at the same time, and then the later one
   // stands.
   const Temporary copy(temporary_beside(report, "new")), old(temporary_beside(report, "old"));
   fs::copy(page, copy.path, fs::copy_options::recursive);
-  write_file(copy.path / "index.html", html);
+  write_file(copy.path / "index.html", before + provenance + after);
   std::error_code taken;
   for (int tries = 0; tries < kTries; ++tries) {
     if (fs::exists(report)) fs::rename(report, old.path, taken);

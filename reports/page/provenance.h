@@ -14,8 +14,9 @@ std::string provenance_html(const std::filesystem::path& out);
 
 // Copies the folder `page` (an artifact of the report stage) to `report`, with the provenance of `out` in
 // index.html in place of the mark "<!-- provenance -->". What stood at `report` is replaced when the copy is
-// complete, and left alone where it would be the same. Throws InputError where there is no page, the mark is
-// missing, or a manifest of what the page was made from is not as a run left it.
+// complete, and left alone where it would be the same; also where only the provenance would be another and
+// nothing can be written there, which a line on stderr says. Throws InputError where there is no page, the
+// mark is missing, or a manifest of what the page was made from is not as a run left it.
 void publish_report(const std::filesystem::path& page, const std::filesystem::path& out,
                     const std::filesystem::path& report);
 

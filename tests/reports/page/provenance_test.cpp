@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 
@@ -91,6 +94,38 @@ TEST(Provenance, FillsThePageThatTheStageLeft) {
   EXPECT_TRUE(fs::exists(out / "report.old/mine.txt"));
   for (const auto& entry : fs::directory_iterator(out))
     EXPECT_FALSE(entry.path().filename().string().starts_with(".tmp")) << entry.path();
+}
+
+// A finished run that can only be read, by a user whose Graphviz draws otherwise.
+TEST(Provenance, LeavesAReportThatCanNotBeWritten) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path(), index = out / "report/index.html";
+  manifest(out, {"report", "report", -1, "page", nlohmann::json::object(), {}, {}}, 1);
+  fs::create_directories(out / "page");
+  write_file(out / "page/index.html", "a<!-- provenance -->b");
+  publish_report(out / "page", out, out / "report");
+  // As another user, whom the folder lets in.
+  const auto publish = [&] {
+    if (::setuid(65534) != 0 && ::geteuid() == 0) std::exit(1);
+    try {
+      publish_report(out / "page", out, out / "report");
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "refused: %s\n", error.what());
+      std::exit(2);
+    }
+    std::exit(0);
+  };
+  const auto only_read = [&](bool only) { fs::permissions(out, only ? fs::perms(0555) : fs::perms(0755)); };
+  write_file(index, "a<svg of another Graphviz>b");
+  only_read(true);
+  EXPECT_EXIT(publish(), testing::ExitedWithCode(0), "report stays as it is: its folder can.t be written");
+  EXPECT_EQ(read_whole(index), "a<svg of another Graphviz>b");
+  // What is not this page is no report of it.
+  only_read(false);
+  write_file(index, "another page");
+  only_read(true);
+  EXPECT_EXIT(publish(), testing::ExitedWithCode(2), "refused: ");
+  only_read(false);
 }
 
 TEST(Provenance, RefusesAPageWithoutAPlace) {
