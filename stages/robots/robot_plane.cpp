@@ -92,6 +92,8 @@ void run(StageRun& stage) {
 
   // It stands nowhere yet.
   const RobotOnPlane robot = make_robot(settings.robot, DrawingPlane::facing({0, 0, 0}, 0, 0, 1));
+  if (const std::string& why = robot.body().impossible_dynamics(); !why.empty())
+    fmt::print(stderr, "{}: {}; `make all` ends at {}_dynamics\n", robot.name(), why, robot.name());
   const Clearance clearance(robot.body(), robot.tip());
   Progress progress(robot.name());
   const ReachMap map(robot.body(), robot.tip(), clearance, settings.search.samples, kMargin,

@@ -133,6 +133,8 @@ Eigen::Vector3d Body::position(int link, const double* joints, Eigen::Matrix3Xd*
   return tree_->place(place.part, place.pose.translation(), joints, jacobian);
 }
 
+const std::string& Body::impossible_dynamics() const { return plan_->impossible; }
+
 void Body::equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds,
                      const Eigen::Vector3d& gravity, Equations& out) const {
   HBR_CHECK(joints.size() == dof() && speeds.size() == dof(), "joints {}, speeds {}, expected {}",

@@ -61,8 +61,12 @@ class Body {
   // The same for one configuration, with its derivative by the joints [3 x dof] where asked for.
   Eigen::Vector3d position(int link, const double* joints, Eigen::Matrix3Xd* jacobian = nullptr) const;
 
+  // Why nothing moves this body by forces, a part of it having a mass that no body has; "" where something
+  // can.
+  const std::string& impossible_dynamics() const;
+
   // The equations of motion at these joints and speeds [dof] under uniform gravity, m/s^2. Throws InputError
-  // where a part that moves has a mass that no body has.
+  // with the reason where there are none.
   void equations(const Eigen::VectorXd& joints, const Eigen::VectorXd& speeds, const Eigen::Vector3d& gravity,
                  Equations& out) const;
 

@@ -90,8 +90,10 @@ TEST(Masses, OfNoBodyCanDrawAndHaveNoDynamics) {
     try {
       b.equations(zero, zero, {0, 0, 0}, equations);
     } catch (const InputError& error) {
+      EXPECT_EQ(b.impossible_dynamics(), error.what());
       return std::string(error.what());
     }
+    EXPECT_EQ(b.impossible_dynamics(), "");
     return std::string("no complaint");
   };
   EXPECT_THAT(why(body),
