@@ -179,7 +179,7 @@ TEST(Search, CreditsTheParentOrAsPublishedThatOfASibling) {
     Workers workers(1);
     while (!search.done()) search.step(workers);
     const Elites elites = repertoire->store().in_id_order();
-    int own = 0;
+    int own = 0, bred = 0;
     for (int g = 1; g < kGenerations; ++g) {
       const auto drawn = note.drawn.begin() + (g - 1) * kBatch;
       const auto credited = note.credited.begin() + g * kBatch;
@@ -189,10 +189,12 @@ TEST(Search, CreditsTheParentOrAsPublishedThatOfASibling) {
         const Added& child = note.born[g * kBatch + i];
         if (child.admission ==
             Admission::kNovel) {  // bred from the parent that was drawn, whoever is credited
+          ++bred;
           EXPECT_EQ(elites.parent[child.slot], elites.id[drawn[i]]);
         }
       }
     }
+    EXPECT_GT(bred, 20);
     if (credit == Credit::kParent)
       EXPECT_EQ(own, (kGenerations - 1) * kBatch);
     else
