@@ -4,7 +4,6 @@
 
 #include <cstdlib>
 #include <set>
-#include <sstream>
 
 #include "tests/end_to_end/fake_folder.h"
 #include "tests/support/temporary_folder.h"
@@ -120,13 +119,24 @@ TEST_F(Makefile, BuildsInOneFolderWaitForEachOther) {
 }
 
 TEST_F(Makefile, AVariableThatItDoesNotHeedIsRefused) {
-  for (const char* words : {"build PROFIL=reduced", "help THREDS=2", "all CXXFLAGS=-O0"}) {
+  for (const char* words : {"build PROFIL=reduced", "help THREDS=2", "all CFLAGS=-O0"}) {
     const ShellResult outcome = make(words);
     EXPECT_EQ(outcome.code, 2) << words;
     const std::string name = std::string(words).substr(0, std::string(words).find('='));
     EXPECT_THAT(outcome.text, HasSubstr("there is no variable '" + name.substr(name.find(' ') + 1) +
                                         "'; there are PROFILE"));
     EXPECT_THAT(outcome.text, Not(HasSubstr("arch native")));
+  }
+}
+
+// What is heeded in the environment alone is not said to be unknown.
+TEST_F(Makefile, FlagsOnItsCommandLineAreToldWhereTheyBelong) {
+  for (const std::string name : {"CXXFLAGS", "LDFLAGS"}) {
+    const ShellResult outcome = make("build " + name + "=-O2");
+    EXPECT_EQ(outcome.code, 2) << outcome.text;
+    EXPECT_THAT(outcome.text,
+                HasSubstr(name + " is heeded where it is in the environment; write it before make: " + name +
+                          "=\'-O2\' make"));
   }
 }
 
@@ -185,23 +195,12 @@ TEST(FetchScripts, GoOnWithoutLocks) {
   EXPECT_THAT(outcome.text, HasSubstr("neither the mirrors nor npm have it (offline)"));
 }
 
-// Each package that is needed everywhere has a name in each other distribution.
-TEST(Packages, AreNamedElsewhere) {
-  const auto words = [](const std::string& file) {
-    std::map<std::string, int> all;
-    std::ifstream stream(HBR_SOURCE_DIR "/.ci/" + file);
-    for (std::string line, package; std::getline(stream, line);) {
-      std::istringstream row(line);
-      if (line.starts_with('#') || !(row >> package)) continue;
-      all[package] = static_cast<int>(std::distance(std::istream_iterator<std::string>(row), {}));
-    }
-    return all;
-  };
-  std::map<std::string, int> expected;
-  for (const auto& [package, more] : words("packages.txt"))
-    if (more == 0) expected[package] = 2;  // Fedora's and Arch's
-  EXPECT_GT(expected.size(), 20u);
-  EXPECT_EQ(words("packages.elsewhere.txt"), expected);
+TEST(FetchScripts, TellAFolderThatCannotBeWrittenAndWhatToDo) {
+  const ShellResult outcome = shell("bash " HBR_SOURCE_DIR "/pipeline/fetch_three.sh /proc/three");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.text,
+            "three.js: can\'t write to /proc/three: let someone who can call "
+            "pipeline/fetch_three.sh /proc/three, or do with pictures\n");
 }
 
 }  // namespace
