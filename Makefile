@@ -10,7 +10,8 @@ MAKEFLAGS += --no-builtin-rules --no-print-directory
 # What a user gives is a text: no $ in it is make's, and recipes find it in their environment as GIVEN_OUT and so on,
 # where no quote in it is the shell's. (Under names of their own: another make that a recipe starts would heed OUT.)
 given := PROFILE OUT BUILD THREADS LAUNCH RETRY GROUP DEPS REP BENCH URDF MESHES POSE MNIST_DIR FORMAT STAGE TO A B \
-  PREFIX
+  PREFIX HBR_ARCH WERROR UNITY CXX SANITIZER TESTS SECONDS READER FILES COUNT SEED COMPILERS OBJECTS TARGETS LINKED \
+  RELEASES SAME CASES MIRROR
 # tcsh tells everyone the user's group by this name.
 ifneq ($(filter environment%,$(origin GROUP)),)
 override GROUP := 0
@@ -19,11 +20,11 @@ $(foreach name,$(given),$(if $(filter-out undefined default,$(origin $(name))),\
   $(eval override $(name) := $$(value $(name)))))
 
 # Any other variable on the command line is a slip, and what it was meant for would be made otherwise in silence.
-heeded := $(given) HBR_ARCH WERROR UNITY CXX SANITIZER TESTS SECONDS READER FILES COUNT SEED COMPILERS OBJECTS \
-  TARGETS LINKED RELEASES SAME CASES MIRROR
-slips := $(filter-out $(heeded) MAKE% -%,$(foreach name,$(.VARIABLES),\
+slips := $(filter-out $(given) MAKE% -%,$(foreach name,$(.VARIABLES),\
   $(if $(findstring command line,$(origin $(name))),$(name))))
-$(if $(slips),$(error there is no variable '$(firstword $(slips))'; there are $(heeded) (`make help`)))
+flags := $(firstword $(filter CXXFLAGS LDFLAGS,$(slips)))
+$(if $(flags),$(error $(flags) is heeded where it is in the environment; write it before make: $(flags)='$(value $(flags))' make))
+$(if $(slips),$(error there is no variable '$(firstword $(slips))'; there are $(given) (`make help`)))
 
 empty :=
 space := $(empty) $(empty)
@@ -31,6 +32,9 @@ define newline
 
 
 endef
+# One word of a recipe, whatever is in it, and a word for each of several.
+quoted = '$(subst ','\'',$(1))'
+several = $(foreach one,$(1),$(call quoted,$(one)))
 PROFILE ?= paper
 # Its file's name, without folder and ending; a space in it is no end of a word.
 OUT ?= out/$(subst <space>,$(space),$(patsubst %.toml,%,$(notdir $(subst $(space),<space>,$(PROFILE)))))
@@ -84,11 +88,18 @@ beyond_cmake := ; " \ \#
 $(if $(filter-out help,$(or $(MAKECMDGOALS),help)),$(foreach letter,$(beyond_cmake),\
   $(call refuse_if,$(findstring $(letter),$(CURDIR)),CMake can not build in $(CURDIR): there is a $(letter) in this path)))
 places := PROFILE OUT URDF MESHES MNIST_DIR FORMAT STAGE TO A B PREFIX
-$(foreach name,$(places) LAUNCH,$(call refuse_if,$(findstring $(newline),$($(name))),$(name) has a line break in it))
+$(foreach name,$(given),$(call refuse_if,$(findstring $(newline),$($(name))),$(name) has a line break in it))
+$(foreach name,WERROR UNITY,$(call refuse_if,$(filter-out 0 1,$($(name))),$(name) is '$($(name))'; expected 0 or 1))
 $(foreach name,$(places),\
   $(call refuse_if,$(filter -%,$(firstword $($(name)))),$(name) is '$($(name))': write ./$($(name)))\
   $(call refuse_if,$(filter ~%,$(firstword $($(name)))),$(name) is '$($(name))': the shell did not replace the ~; write $$HOME))
-$(foreach name,PROFILE OUT BUILD,$(call refuse_if,$(if $(strip $($(name))),,empty),$(name) is empty: leave it out for its default, or name one (`make help`)))
+$(foreach name,PROFILE OUT BUILD HBR_ARCH,$(call refuse_if,$(if $(strip $($(name))),,empty),$(name) is empty: leave it out for its default, or name one (`make help`)))
+
+# For recipes: what must be a number, or may not be empty, or nothing would be done in silence.
+whole = [[ $$GIVEN_$(1) =~ ^[0-9]{1,9}$$ ]] && ((10\#$$GIVEN_$(1) >= $(2))) || \
+  { echo "$(1) is '$$GIVEN_$(1)'; expected a whole number from $(2)" >&2; exit 2; }
+named = [[ $$GIVEN_$(1) = *[![:space:]]* ]] || \
+  { echo '$(1) is empty: leave it out for its default, or name some (`make help`)' >&2; exit 2; }
 
 programs := $(BUILD)/release/bin
 arguments := --profile "$$GIVEN_PROFILE" --out "$$GIVEN_OUT" --threads "$$GIVEN_THREADS" --launch "$$GIVEN_LAUNCH" \
@@ -136,12 +147,13 @@ help:
 	@echo '  make fuzz            each reader of foreign files for SECONDS=60 with libFuzzer; READER=urdf: only that'
 	@echo '  make mutate          which of COUNT=60 small deliberate bugs in FILES="pipeline models" no test notices; SEED=1'
 	@echo '  make coverage        all tests, and BUILD/coverage/html: which lines they reach'
-	@echo '  make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors; OBJECTS=regex: only these'
+	@echo '  make check-targets   compile everything for TARGETS by COMPILERS, warnings being errors; OBJECTS=regex: only these,'
+	@echo '                       with UNITY=0 by the names of their files'
 	@echo '  make check-odr       compile and link everything without optimisation, the linker comparing definitions;'
 	@echo '                       LINKED="layer signature_built": only these programs'
 	@echo '  make check-bytes     layers 1 to 3 by both compilers, for SAME: the same bytes?'
 	@echo '  make check-releases  all of this on bare machines of the Debian releases RELEASES, as root (debootstrap);'
-	@echo '                       MIRROR: where packages come from'
+	@echo '                       MIRROR: where packages come from; WERROR=1: warnings are errors there, too'
 	@echo '  make test-cluster    what becomes of a run when its Slurm cluster fails: a real one, on loopback; CASES=node_lost: only this'
 	@echo '  make format          clang-format on all sources; check-format only tells'
 	@echo
@@ -151,9 +163,9 @@ help:
 	done
 	@echo "OUT=$$GIVEN_OUT"'   where artifacts go'
 	@echo "BUILD=$$GIVEN_BUILD"'   where programs are built; with OUT elsewhere, too, the sources may be read-only'
-	@echo 'HBR_ARCH=$(HBR_ARCH)   processors to build for (-march): this one, or x86-64-v3 and so on; CXX=clang++: another compiler'
-	@echo 'WERROR=$(WERROR)   1: a warning stops the build, as CI has it'
-	@echo 'UNITY=$(UNITY)   0: files are compiled one by one, for those who change a few and build again'
+	@echo "HBR_ARCH=$$GIVEN_HBR_ARCH"'   processors to build for (-march): this one, or x86-64-v3 and so on; CXX=clang++: another compiler'
+	@echo "WERROR=$$GIVEN_WERROR"'   1: a warning stops the build, as CI has it'
+	@echo "UNITY=$$GIVEN_UNITY"'   0: files are compiled one by one, for those who change a few and build again'
 	@echo "THREADS=$$GIVEN_THREADS"'   threads of one stage program; 0: the processors, shared among the N of -jN'
 	@echo "LAUNCH=$$GIVEN_LAUNCH"'   words before every stage program, as in LAUNCH="srun -n1 --quit-on-interrupt";'
 	@echo '                     in single quotes they may use $$HBR_JOB, $$HBR_THREADS, $$HBR_MEMORY_MB and $$HBR_SECONDS'
@@ -176,12 +188,11 @@ $(packages): .ci/packages.txt $(wildcard /var/lib/dpkg/status)
 
 # settings(preset): what a build folder is made for; it keeps them. Others (the checkout moved, HBR_ARCH changed)
 # need CMake afresh, or the sources of elsewhere would be compiled. CMake reads CXXFLAGS and LDFLAGS itself.
-compiler := $(if $(filter-out default undefined,$(origin CXX)),-DCMAKE_CXX_COMPILER='$(CXX)')
-settings = -DHBR_BUILD=$(1) -DHBR_ARCH='$(HBR_ARCH)' -DHBR_WERROR=$(if $(filter-out 0,$(WERROR)),ON,OFF) \
+compiler := $(if $(filter-out default undefined,$(origin CXX)),$(if $(strip $(CXX)),-DCMAKE_CXX_COMPILER=$(call quoted,$(CXX))))
+settings = -DHBR_BUILD=$(1) -DHBR_ARCH=$(call quoted,$(HBR_ARCH)) -DHBR_WERROR=$(if $(filter-out 0,$(WERROR)),ON,OFF) \
   -DHBR_UNITY=$(if $(filter 0,$(UNITY)),OFF,ON) \
   $(if $(filter fuzz,$(1)),-DCMAKE_CXX_COMPILER=clang++,$(compiler))
-kept = $(settings) $(CXXFLAGS) $(LDFLAGS) $(CURDIR) $(abspath $(BUILD))
-quoted = '$(subst ','\'',$(1))'
+kept = $(settings) $(value CXXFLAGS) $(value LDFLAGS) $(CURDIR) $(abspath $(BUILD))
 
 # What follows it in a recipe's line waits for another build in BUILD, where there are locks.
 alone = { exec 9>$(BUILD)/.lock; } 2>/dev/null && { flock -n 9 2>/dev/null || [ $$? != 1 ] || \
@@ -294,25 +305,28 @@ run_tests = @.ci/packages "$$GIVEN_DEPS" test && $(call compile,$(1),$(2)) && ct
 test: $(packages) $(BUILD)/release/build.ninja
 	$(call run_tests,release,all)
 
-sanitized := $(or $(if $(filter address,$(SANITIZER)),sanitize),$(if $(filter thread,$(SANITIZER)),sanitize-thread))
+sanitized := $(if $(word 2,$(SANITIZER)),,$(or $(if $(filter address,$(SANITIZER)),sanitize),$(if $(filter thread,$(SANITIZER)),sanitize-thread)))
 sanitize: $(packages) $(if $(sanitized),$(BUILD)/$(sanitized)/build.ninja)
-	@[ -n '$(sanitized)' ] || { echo "SANITIZER is '$(SANITIZER)'; expected address or thread" >&2; exit 2; }
-	$(call run_tests,$(sanitized),$(if $(TESTS),$(addprefix test_,$(subst /,_,$(TESTS))),tests), \
-	  $(if $(TESTS),-R '^($(subst $(empty) $(empty),|,$(strip $(TESTS))))/'))
+	@[ -n '$(sanitized)' ] || { echo "SANITIZER is '$$GIVEN_SANITIZER'; expected address or thread" >&2; exit 2; }
+	$(call run_tests,$(sanitized),$(if $(TESTS),$(call several,$(addprefix test_,$(subst /,_,$(TESTS)))),tests), \
+	  $(if $(TESTS),-R $(call quoted,^($(subst $(space),|,$(strip $(TESTS))))/)))
 
 # What is found stays in BUILD/fuzz/found, with the command that reads it again.
 fuzz: $(BUILD)/fuzz/build.ninja
-	@$(call compile,fuzz,$(if $(READER),$(addprefix fuzz_,$(READER)),fuzz))
-	@tests/fuzz/run $(BUILD)/fuzz '$(SECONDS)' $(READER)
+	@$(call compile,fuzz,$(if $(READER),$(call several,$(addprefix fuzz_,$(READER))),fuzz))
+	@tests/fuzz/run $(BUILD)/fuzz "$$GIVEN_SECONDS" $(call several,$(READER))
 
 .PHONY: fuzz-packages
 fuzz-packages:
+	@$(call whole,SECONDS,1)
 	@.ci/packages "$$GIVEN_DEPS" fuzz
 $(BUILD)/fuzz/build.ninja: | fuzz-packages
 
 mutate: $(packages)
+	@$(call whole,COUNT,1); $(call whole,SEED,0); $(call named,FILES)
 	@.ci/packages "$$GIVEN_DEPS" mutate
-	@python3 tests/mutation/mutate.py --place $(BUILD)/mutate --seed '$(SEED)' --count '$(COUNT)' $(FILES)
+	@python3 tests/mutation/mutate.py --place $(BUILD)/mutate --seed "$$GIVEN_SEED" --count "$$GIVEN_COUNT" -- \
+	  $(call several,$(FILES))
 
 coverage: $(packages) $(BUILD)/coverage/build.ninja
 	@.ci/packages "$$GIVEN_DEPS" coverage
@@ -338,47 +352,55 @@ bench: $(packages) $(BUILD)/release/build.ninja
 	@ls $(BUILD)/bench/*.json >/dev/null 2>&1 || { echo "no benchmark's name matches '$$GIVEN_BENCH'" >&2; exit 2; }
 	@$(programs)/speed_table tests/benchmarks.toml '$(if $(BENCH),,reports/reference/bench.json)' $(BUILD)/bench/*.json
 
-# Compiles everything for other processors, by both compilers, warnings being errors; links and runs nothing.
-# OBJECTS (a regex): only these.
+# Compiles everything for other processors, by both compilers, warnings being errors; links and runs nothing. The files
+# of a target together, as `make` builds them; with UNITY=0 each alone. OBJECTS (a regex): only these.
 COMPILERS ?= g++ clang++
 OBJECTS ?=
 TARGETS ?= x86-64 x86-64-v2 x86-64-v3 x86-64-v4 haswell sapphirerapids znver2 znver3 native
 check-targets: $(packages)
+	@$(call named,COMPILERS); $(call named,TARGETS)
 	@.ci/packages "$$GIVEN_DEPS" check-targets
-	@.ci/targets '$(BUILD)/targets' '$(COMPILERS)' '$(TARGETS)' '$(OBJECTS)'
+	@UNITY="$$GIVEN_UNITY" .ci/targets '$(BUILD)/targets' "$$GIVEN_COMPILERS" "$$GIVEN_TARGETS" "$$GIVEN_OBJECTS"
 
 # What an optimised program hides: a function that no file defines, a name that two files mean differently. LINKED:
 # only these programs.
 LINKED ?= programs tests
 check-odr: $(packages) $(BUILD)/odr/build.ninja
-	@$(call compile,odr,$(LINKED))
+	@$(call named,LINKED)
+	@$(call compile,odr,$(call several,$(LINKED)))
 
 # The README's commands and all tests on a bare machine of each Debian release, as root.
 RELEASES ?= bookworm trixie
 check-releases:
+	@$(call named,RELEASES)
 	@.ci/packages "$$GIVEN_DEPS" check-releases
 	@rm -f '$(BUILD)'/releases/*.sha256
-	@for release in $(RELEASES); do tests/releases/try.sh "$$release" '$(BUILD)/releases'; done
+	@for release in $(call several,$(RELEASES)); do \
+	  MIRROR="$$GIVEN_MIRROR" WERROR="$$GIVEN_WERROR" tests/releases/try.sh "$$release" '$(BUILD)/releases'; done
 
 # The layers of the reduced profile, built by each compiler for each of these: all the same bytes?
 SAME ?= x86-64 x86-64-v3 native
 check-bytes: build
+	@$(call named,COMPILERS); $(call named,SAME)
 	@.ci/packages "$$GIVEN_DEPS" check-targets
-	@tests/releases/bytes.sh '$(BUILD)/bytes' $(programs)/hbr '$(COMPILERS)' '$(SAME)'
+	@tests/releases/bytes.sh '$(BUILD)/bytes' $(programs)/hbr "$$GIVEN_COMPILERS" "$$GIVEN_SAME"
 
 # A real Slurm on loopback, as root. CASES: only these of tests/cluster/run.
 CASES ?=
 test-cluster: build
 	@.ci/packages "$$GIVEN_DEPS" test-cluster
-	@BUILD="$$GIVEN_BUILD" tests/cluster/run $(CASES)
+	@BUILD="$$GIVEN_BUILD" tests/cluster/run $(call several,$(CASES))
+
+# The folder of git's own is named, or git would refuse a checkout of another user's, as a container's may be.
+tracked := git --git-dir=.git --work-tree=. ls-files
 
 format:
 	@.ci/packages "$$GIVEN_DEPS" format
-	@git ls-files '*.h' '*.cpp' | xargs clang-format -i
+	@$(tracked) '*.h' '*.cpp' | xargs clang-format -i
 
 check-format:
 	@.ci/packages "$$GIVEN_DEPS" format
-	@git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
+	@$(tracked) '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
 
 clean:
 	@rm -rf '$(BUILD)'

@@ -35,7 +35,7 @@ from_mirror() {  # FILES, into $work
 
 folder=${1:?usage: pipeline/fetch_three.sh FOLDER}
 [[ -n $(missing "$folder") ]] || exit 0
-lock_folder "$folder" "can't write to $folder"
+lock_folder "$folder" "can't write to $folder: let someone who can call pipeline/fetch_three.sh $folder, or do with pictures"
 mapfile -t absent < <(missing "$folder")
 [[ ${#absent[@]} -gt 0 ]] || exit 0
 

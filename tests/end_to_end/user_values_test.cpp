@@ -61,8 +61,11 @@ class UserValues : public testing::Test {
   ShellResult make(const std::string& goal, const std::map<std::string, std::string>& values,
                    bool by_environment) {
     std::string words, others;
-    for (const char* name : {"OUT", "PROFILE", "BUILD", "LAUNCH", "RETRY", "THREADS", "REP", "MNIST_DIR",
-                             "URDF", "MESHES", "POSE", "FORMAT", "STAGE", "TO", "A", "B", "GROUP", "PREFIX"})
+    for (const char* name :
+         {"OUT",     "PROFILE", "BUILD",  "LAUNCH",   "RETRY", "THREADS",  "REP",   "MNIST_DIR",
+          "URDF",    "MESHES",  "POSE",   "FORMAT",   "STAGE", "TO",       "A",     "B",
+          "GROUP",   "PREFIX",  "CXX",    "HBR_ARCH", "TESTS", "READER",   "FILES", "COMPILERS",
+          "OBJECTS", "TARGETS", "LINKED", "RELEASES", "CASES", "SANITIZER"})
       if (!values.contains(name)) others += std::string(" -u ") + name;
     for (const auto& [name, value] : values) {
       given_.push_back((by_environment ? "" : "GIVEN_") + name);
@@ -77,6 +80,11 @@ class UserValues : public testing::Test {
     given_.clear();
     EXPECT_FALSE(fs::exists(checkout_ / "pwned"));
     return outcome;
+  }
+
+  static std::string text_of(const fs::path& file) {
+    std::ifstream stream(file);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
   }
 
   const TemporaryFolder folder_;
@@ -113,6 +121,52 @@ TEST_F(UserValues, ReachTheProgramsLetterByLetter) {
       EXPECT_THAT(make("help", {{"OUT", odd}}, by_environment).text, HasSubstr("OUT=" + odd + "   where"));
       EXPECT_THAT(make("help", {{"PREFIX", odd}}, by_environment).text, HasSubstr("PREFIX=" + odd + "\n"));
     }
+}
+
+// What builds and checks are given, and the words of what may be several.
+TEST_F(UserValues, ReachTheChecksLetterByLetter) {
+  const std::string tell = "printf \"<%s>\" ${0##*/} \"$@\"; echo";
+  for (const char* script : {".ci/targets", "tests/fuzz/run", "tests/releases/try.sh", "tests/cluster/run"})
+    program(checkout_ / script, tell);
+  for (const char* command : {"cmake", "python3", "ctest"}) program(folder_.path() / "bin" / command, tell);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", ((folder_.path() / "bin").string() + ":" + path).c_str(), 1);
+  bool by_environment = false;
+  for (const std::string& odd : kOdd) {
+    by_environment = !by_environment;
+    const auto told = [&](const std::string& goal, const std::map<std::string, std::string>& values) {
+      return make(goal, values, by_environment).text;
+    };
+    // The words of odd, each with what stands before it.
+    const auto words = [&](const std::string& before) {
+      return odd == "two words" ? "<" + before + "two><" + before + "words>" : "<" + before + odd + ">";
+    };
+    EXPECT_THAT(told("check-targets", {{"COMPILERS", odd}, {"TARGETS", odd}, {"OBJECTS", odd}}),
+                HasSubstr("<targets><build/targets><" + odd + "><" + odd + "><" + odd + ">"));
+    EXPECT_THAT(told("fuzz", {{"READER", odd}}), HasSubstr("<run><build/fuzz><60>" + words("")));
+    EXPECT_THAT(told("mutate", {{"FILES", odd}}), HasSubstr("<60><-->" + words("")));
+    EXPECT_THAT(told("check-odr", {{"LINKED", odd}}), HasSubstr("<build/odr><--target>" + words("")));
+    EXPECT_THAT(told("test-cluster", {{"CASES", odd}}), HasSubstr("<run>" + words("")));
+    EXPECT_THAT(told("check-releases", {{"RELEASES", odd}}),
+                HasSubstr("<try.sh><" + odd.substr(0, odd.find(' '))));
+    std::string name = odd;
+    std::ranges::replace(name, '/', '_');
+    EXPECT_THAT(told("sanitize", {{"TESTS", odd}}),
+                HasSubstr(odd == "two words" ? "<test_two><test_words>" : "<test_" + name + ">"));
+    EXPECT_THAT(told("sanitize", {{"SANITIZER", odd}}), HasSubstr("SANITIZER is '" + odd + "'; expected"));
+    // The compiler is one text of CMake's, which is called again only where it has changed.
+    fs::remove(checkout_ / "build/release.log");
+    const std::map<std::string, std::string> built{{"CXX", odd}, {"HBR_ARCH", odd}};
+    told("build", built);
+    EXPECT_THAT(text_of(checkout_ / "build/release.log"),
+                testing::AllOf(HasSubstr("<-DCMAKE_CXX_COMPILER=" + odd + ">"),
+                               HasSubstr("<-DHBR_ARCH=" + odd + ">")));
+    std::ofstream(checkout_ / "build/release/build.ninja") << "";
+    fs::remove(checkout_ / "build/release.log");
+    told("build", built);
+    EXPECT_FALSE(fs::exists(checkout_ / "build/release.log")) << odd;
+  }
+  ::setenv("PATH", path.c_str(), 1);
 }
 
 // Some shells export the user's group so.
@@ -156,6 +210,9 @@ TEST_F(UserValues, WhatCanNotBeHandedOnIsRefusedInOneLine) {
   EXPECT_THAT(refused("install", {{"PREFIX", "~/x"}}), HasSubstr("PREFIX is '~/x': the shell did not"));
   EXPECT_THAT(refused("status", {{"OUT", ""}}), HasSubstr("OUT is empty"));
   EXPECT_THAT(refused("status", {{"PROFILE", ""}}), HasSubstr("PROFILE is empty: leave it out"));
+  EXPECT_THAT(refused("build", {{"HBR_ARCH", ""}}), HasSubstr("HBR_ARCH is empty: leave it out"));
+  EXPECT_THAT(refused("build", {{"UNITY", "no"}}), HasSubstr("UNITY is 'no'; expected 0 or 1"));
+  EXPECT_THAT(refused("check-targets", {{"OBJECTS", "a\nb"}}), HasSubstr("OBJECTS has a line break in it"));
   EXPECT_THAT(refused("build", {{"BUILD", "a b"}}), HasSubstr("may have no space in its path"));
   EXPECT_THAT(refused("build", {{"BUILD", "a$b"}}), HasSubstr("may have no $ in its path"));
   for (const char* goal : {"\"a;b\"", "\"a:b\"", "\"a%b\"", "\"\\$(x)\"", "\"a b(\""})

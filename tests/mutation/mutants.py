@@ -50,14 +50,15 @@ FUNCTIONS = {
 NUMBER = re.compile(r"(?<![\w.'])(\d+\.?\d*(?:e-?\d+)?|\.\d+)(f?)(?![\w.'])")
 WORD = re.compile(r"(?<![\w:])(" + "|".join(map(re.escape, FUNCTIONS)) + r")(?![\w:])")
 OPERATOR = re.compile(r"(?<= )(" + "|".join(map(re.escape, sorted(EXCHANGED, key=len, reverse=True))) + r")(?= )")
-CONDITION = re.compile(r"\b(if|while) \((?!constexpr)(.*)\)( \S.*;| \{)?$")
+CONDITION = re.compile(r"\b(?:if|while) \(")
 ARGUMENTS = re.compile(r"(?<=\w\()([\w.\[\]]+), ([\w.\[\]]+)(?=[,)])")
 # A statement of its own: an assignment, a call, a step; no declaration, nothing that leaves a block.
 STATEMENT = re.compile(r"^\s+(?!return|break|continue|throw|using|case|else|for|if|while|const|auto|static|delete|HBR_CHECK)"
                        r"[\w.\[\]()>*&:-]+(?: [-+*/|&]?= .*|\(.*\)|\+\+|--);$")
 RETURN = re.compile(r"^(\s+(?:if \(.*\) )?)return [^;{]+;$")
-# What no test can be asked to see: how much is reserved, what is said, what checks ourselves.
-PASSED_OVER = re.compile(r"^\s*(#|//|HBR_CHECK|static_assert|template|using|namespace|class|struct|\w+\.reserve\()|InputError|fmt::|fail\(")
+# What no test can be asked to see: how much is reserved, what checks ourselves, and what is said; when it is said can be.
+PASSED_OVER = re.compile(r"^\s*(#|//|HBR_CHECK|static_assert|template|using|namespace|class|struct|\w+\.reserve\()")
+SAID = re.compile(r"InputError|fmt::|fail\(\"")
 
 
 def code_of(lines):
@@ -77,6 +78,17 @@ def changed_number(text, suffix):
     return repr(value * 1.25 if value else 1.0) + suffix
 
 
+def conditions(code):
+    """(begin, end) of each condition that ends in its line."""
+    for m in CONDITION.finditer(code):
+        depth = 1
+        for at in range(m.end(), len(code)):
+            depth += (code[at] == "(") - (code[at] == ")")
+            if depth == 0:
+                yield m.end(), at
+                break
+
+
 def changes(code):
     """(kind, begin, end, text) of each bug in a line of code; no text: what stands there, denied."""
     for m in OPERATOR.finditer(code):
@@ -86,9 +98,8 @@ def changes(code):
         yield "word", m.start(), m.end(), FUNCTIONS[m.group()]
     for m in NUMBER.finditer(code):
         yield "constant", m.start(), m.end(), changed_number(m.group(1), m.group(2))
-    for m in CONDITION.finditer(code):
-        if m.group(2).count("(") == m.group(2).count(")"):
-            yield "negated", m.start(2), m.end(2), None
+    for begin, end in conditions(code):
+        yield "negated", begin, end, None
     for m in ARGUMENTS.finditer(code):
         if m.group(1) != m.group(2):
             yield "swapped", m.start(), m.end(), f"{m.group(2)}, {m.group(1)}"
@@ -102,10 +113,11 @@ def mutants_of(file, text):
     lines = text.split("\n")
     skipping = False  # a check or a complaint goes on until its statement ends
     for number, (line, code) in enumerate(zip(lines, code_of(lines)), 1):
-        if skipping or PASSED_OVER.search(code):
+        found = changes(code)
+        if skipping or PASSED_OVER.search(code) or SAID.search(code):
+            found = [] if skipping or PASSED_OVER.search(code) else [("negated", *c, None) for c in conditions(code)]
             skipping = not code.rstrip().endswith((";", "{", "}")) and bool(code.strip()) and not code.startswith("#")
-            continue
-        for kind, begin, end, other in changes(code):
+        for kind, begin, end, other in found:
             other = f"!({line[begin:end]})" if other is None else other
             after = line[:begin] + other + line[end:]
             if after != line:

@@ -48,11 +48,16 @@ class Tree:
 
     def __init__(self, sources, place):
         self.sources, self.tree, self.build = sources, place / "tree", place / "build"
-        files = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=sources,
-                               check=True, capture_output=True, text=True)
-        for name in files.stdout.split("\0")[:-1]:
-            if (sources / name).exists():
-                self.put(name, (sources / name).read_bytes())
+        # The folder of git's own is named, or git would refuse a checkout of another user's.
+        files = subprocess.run(["git", "--git-dir=.git", "--work-tree=.", "ls-files", "-z", "--cached", "--others",
+                                "--exclude-standard"], cwd=sources, check=True, capture_output=True, text=True)
+        names = {name for name in files.stdout.split("\0")[:-1] if (sources / name).exists()}
+        for name in names:
+            self.put(name, (sources / name).read_bytes())
+        # What an earlier call copied and is no longer among the sources would still be compiled.
+        for path in self.tree.rglob("*"):
+            if not path.is_dir() and str(path.relative_to(self.tree)) not in names:
+                path.unlink()
         if not (self.build / "build.ninja").exists():
             subprocess.run(["cmake", "-S", self.tree, "-B", self.build, "-G", "Ninja", "-DHBR_BUILD=release",
                             "-DHBR_UNITY=OFF"],

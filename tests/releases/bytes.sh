@@ -2,7 +2,7 @@
 # tests/releases/bytes.sh FOLDER HBR "COMPILERS" "ARCHITECTURES": layers 1 to 3 and the flat baseline of the reduced
 # profile, one replication, by stage programs of each compiler for each architecture that this processor can run. All
 # have to have the same bytes. HBR is the tool that runs them.
-set -euo pipefail
+set -euo pipefail -o noglob
 folder=$(mkdir -p "$1" && cd "$1" && pwd) hbr=$(realpath "$2")
 cd "$(dirname "$0")/../.."
 stages=(layer1 layer2 reference4d layer3 flat_arcs)

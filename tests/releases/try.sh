@@ -3,7 +3,7 @@
 # folder FOLDER/RELEASE, by debootstrap, in which only git and make are installed beforehand. As root. What is tried is
 # what is committed. FOLDER/RELEASE.log keeps what was said, FOLDER/RELEASE.sha256 the hashes of the layers that were
 # made; those of the releases tried so far are compared.
-# MNIST_DIR: as in the Makefile. MIRROR: where Debian's packages come from, else from where this machine has them.
+# MNIST_DIR, WERROR: as in the Makefile. MIRROR: where Debian's packages come from, else from where this machine has them.
 set -euo pipefail
 release=$1 folder=$(mkdir -p "$2" && cd "$2" && pwd)
 cd "$(dirname "$0")/../.."
@@ -30,7 +30,7 @@ make audit PROFILE=reduced
 make test
 TRY
 # The mounts are this process's own and end with it. Nothing of who calls is known there (DEPS, CXX, make's own flags)
-# but the way to the packages.
+# but the way to the packages, and whether warnings are errors.
 echo "$release: README's commands, all tests ($log)"
 unshare --mount --pid --fork --kill-child bash -euc '
   mount --bind "$2" "$1/repository"
@@ -38,7 +38,7 @@ unshare --mount --pid --fork --kill-child bash -euc '
   mount -t proc proc "$1/proc"
   mount --rbind /dev "$1/dev"
   bare=(PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive)
-  for name in http_proxy https_proxy no_proxy; do [ -z "${!name:-}" ] || bare+=("$name=${!name}"); done
+  for name in http_proxy https_proxy no_proxy WERROR; do [ -z "${!name:-}" ] || bare+=("$name=${!name}"); done
   exec chroot "$1" env -i "${bare[@]}" bash /try' try "$root" "$PWD" "${MNIST_DIR:-}" </dev/null >>"$log" 2>&1 ||
   { grep -E 'error|FAILED|\*\*\*' "$log" | tail >&2; echo "$release: failed; $log tells all" >&2; exit 1; }
 grep -E 'tests passed' "$log"
