@@ -19,8 +19,7 @@ class Watch {
 
   bool operator()(int depth, json::parse_event_t event, json& parsed) {
     if (depth > kDeepest)
-      throw InputError("{}: nested more than {} deep; expected a file that this project wrote", where_,
-                       kDeepest);
+      throw InputError("{}: nested more than {} deep; expected less, as a sound file has", where_, kDeepest);
     if (event == json::parse_event_t::object_start) open_.emplace_back();
     if (event == json::parse_event_t::object_end) open_.pop_back();
     if (event == json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
