@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <sstream>
 
 #include "tests/end_to_end/fake_folder.h"
 #include "tests/support/temporary_folder.h"
@@ -129,30 +130,35 @@ TEST_F(UserValues, ReachTheChecksLetterByLetter) {
   for (const char* script : {".ci/targets", "tests/fuzz/run", "tests/releases/try.sh", "tests/cluster/run"})
     program(checkout_ / script, tell);
   for (const char* command : {"cmake", "python3", "ctest"}) program(folder_.path() / "bin" / command, tell);
+  for (const char* build : {"release", "sanitize", "fuzz", "odr"})
+    fs::create_directories(checkout_ / "build" / build);
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", ((folder_.path() / "bin").string() + ":" + path).c_str(), 1);
   bool by_environment = false;
-  for (const std::string& odd : kOdd) {
+  for (const std::string odd :
+       {"a$|b", "two words", "it's a \"x\"", "a#b%c:d/e", "$(shell touch pwned)", "x; touch pwned"}) {
     by_environment = !by_environment;
     const auto told = [&](const std::string& goal, const std::map<std::string, std::string>& values) {
       return make(goal, values, by_environment).text;
     };
     // The words of odd, each with what stands before it.
-    const auto words = [&](const std::string& before) {
-      return odd == "two words" ? "<" + before + "two><" + before + "words>" : "<" + before + odd + ">";
+    const auto words = [&](const std::string& text, const std::string& before) {
+      std::istringstream stream(text);
+      std::string all;
+      for (std::string word; stream >> word;) all += "<" + before + word + ">";
+      return all;
     };
     EXPECT_THAT(told("check-targets", {{"COMPILERS", odd}, {"TARGETS", odd}, {"OBJECTS", odd}}),
                 HasSubstr("<targets><build/targets><" + odd + "><" + odd + "><" + odd + ">"));
-    EXPECT_THAT(told("fuzz", {{"READER", odd}}), HasSubstr("<run><build/fuzz><60>" + words("")));
-    EXPECT_THAT(told("mutate", {{"FILES", odd}}), HasSubstr("<60><-->" + words("")));
-    EXPECT_THAT(told("check-odr", {{"LINKED", odd}}), HasSubstr("<build/odr><--target>" + words("")));
-    EXPECT_THAT(told("test-cluster", {{"CASES", odd}}), HasSubstr("<run>" + words("")));
+    EXPECT_THAT(told("fuzz", {{"READER", odd}}), HasSubstr("<run><build/fuzz><60>" + words(odd, "")));
+    EXPECT_THAT(told("mutate", {{"FILES", odd}}), HasSubstr("<60><-->" + words(odd, "")));
+    EXPECT_THAT(told("check-odr", {{"LINKED", odd}}), HasSubstr("<build/odr><--target>" + words(odd, "")));
+    EXPECT_THAT(told("test-cluster", {{"CASES", odd}}), HasSubstr("<run>" + words(odd, "")));
     EXPECT_THAT(told("check-releases", {{"RELEASES", odd}}),
                 HasSubstr("<try.sh><" + odd.substr(0, odd.find(' '))));
     std::string name = odd;
     std::ranges::replace(name, '/', '_');
-    EXPECT_THAT(told("sanitize", {{"TESTS", odd}}),
-                HasSubstr(odd == "two words" ? "<test_two><test_words>" : "<test_" + name + ">"));
+    EXPECT_THAT(told("sanitize", {{"TESTS", odd}}), HasSubstr(words(name, "test_")));
     EXPECT_THAT(told("sanitize", {{"SANITIZER", odd}}), HasSubstr("SANITIZER is '" + odd + "'; expected"));
     // The compiler is one text of CMake's, which is called again only where it has changed.
     fs::remove(checkout_ / "build/release.log");
