@@ -13,7 +13,7 @@ namespace {
 
 constexpr Range kFinite{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 constexpr Range kSharesOfVariance{-1e-6, 1 + 1e-6};  // as rounded
-constexpr Range kPlaces{0, 1e6}, kDistances{0, std::numeric_limits<double>::max()};
+constexpr Range kWholeNumbers{0, 1e6}, kDistances{0, std::numeric_limits<double>::max()};
 
 }  // namespace
 
@@ -32,10 +32,10 @@ struct FiledVerdicts {
 };
 template <class Fields>
 void describe(Fields& f, FiledVerdicts& v) {
-  f.number("reproduced", v.reproduced, kPlaces, "claims");
-  f.number("partly", v.partly, kPlaces, "claims");
-  f.number("undecided", v.undecided, kPlaces, "claims");
-  f.number("not", v.not_reproduced, kPlaces, "claims");
+  f.number("reproduced", v.reproduced, kWholeNumbers, "claims");
+  f.number("partly", v.partly, kWholeNumbers, "claims");
+  f.number("undecided", v.undecided, kWholeNumbers, "claims");
+  f.number("not", v.not_reproduced, kWholeNumbers, "claims");
 }
 
 struct FiledRun {
@@ -48,7 +48,7 @@ struct FiledRun {
 template <class Fields>
 void describe(Fields& f, FiledRun& r) {
   f.text("name", r.name, "of the variation");
-  f.numbers("levels", r.levels, kPlaces, "the value of each reading");
+  f.numbers("levels", r.levels, kWholeNumbers, "the value of each reading");
   f.optional_numbers("distances", r.distances, kDistances, "from each figure");
   f.optional_number("distance", r.distance, kDistances, "from all figures");
   f.table("claims", r.claims, "how many got which verdict");
@@ -62,9 +62,9 @@ struct FiledTerm {
 };
 template <class Fields>
 void describe(Fields& f, FiledTerm& t) {
-  f.numbers("readings", t.readings, kPlaces, "places of one or two");
+  f.numbers("readings", t.readings, kWholeNumbers, "places of one or two");
   f.number("share", t.share, kSharesOfVariance, "of the variance");
-  f.number("degrees", t.degrees, kPlaces, "of freedom");
+  f.number("degrees", t.degrees, kWholeNumbers, "of freedom");
   f.optional_number("p", t.p, Range{0, 1}, "of the F-test");
 }
 
@@ -81,7 +81,7 @@ void describe(Fields& f, FiledMoves& m) {
   f.tables("terms", m.terms, "each reading, then pairs");
   f.lists_of_numbers("effects", m.effects, kFinite, "of each reading's values");
   f.number("unexplained", m.unexplained, kSharesOfVariance, "share of the variance");
-  f.number("runs", m.runs, kPlaces, "that differ");
+  f.number("runs", m.runs, kWholeNumbers, "that differ");
 }
 
 struct FiledFigure {
@@ -139,7 +139,7 @@ template <class Fields>
 void describe(Fields& f, StudyFile& s) {
   f.tables("readings", s.readings, "what was combined");
   f.tables("runs", s.runs, "the combinations");
-  f.numbers("nearest", s.nearest, kPlaces, "places of the runs, the nearest first");
+  f.numbers("nearest", s.nearest, kWholeNumbers, "places of the runs, the nearest first");
   f.tables("figures", s.figures, "of the paper, that differ between the runs");
   f.tables("claims", s.claims, "of the paper, that a run can answer");
 }
