@@ -91,7 +91,7 @@ TEST_F(ReportTest, RefusesWhatIsNotAsDescribed) {
               ThrowsMessage<InputError>(HasSubstr(
                   "strip.png is missing or no PNG; delete its folder and give the same make again")));
   EXPECT_THAT([&] { write_report(full(), "/proc/no/such"); },
-              ThrowsMessage<InputError>(HasSubstr("cannot make /proc/no/such/figures")));
+              ThrowsMessage<InputError>(HasSubstr("/proc/no/such/figures: can't make this folder")));
 }
 
 }  // namespace
