@@ -79,8 +79,7 @@ struct OnnxDescriptor::Network {
       if (!last.shapes.contains(chosen.position))
         throw InputError(
             "{}: OpenCV {} gives the tensor '{}' of the whole network, but not of what leads to it alone; "
-            "name "
-            "another as position",
+            "name another as position",
             where, CV_VERSION, shown(chosen.position));
       if (!numbers) {
         numbers = last.hash;
