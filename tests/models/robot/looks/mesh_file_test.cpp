@@ -262,6 +262,7 @@ TEST(MeshFile, RefusesWhatIsNoMesh) {
       {"words.glb", "once upon a time", not_read},
       {"bad.gltf", R"({"asset": {"version": "2.0"}, "meshes": 3})", not_read},
       {"missing.gltf", gltf("missing.bin", 42), "missing.bin"},
+      {"twice.gltf", R"({"buffers": [],)" + gltf("good.bin", 42).substr(1), "stands twice"},
       {"folder.gltf", gltf("../", 42), not_read},
       {"small.gltf", gltf("good.bin", 42000), not_read},
       {"index.gltf", gltf("beyond.bin", 42), "."},
