@@ -90,10 +90,12 @@ TEST_F(CoordinatesOf, ArcsAreDisplacementsAndWhatCircleTheyMake) {
       const std::vector<double> value = values(of_genes, genome.data());
       const ArcLines lines = controller.decode(frame, genome.data());
       for (std::size_t k = 0; k < kArcSegments; ++k) {
-        const Complex turned =
-            std::polar(value[1], value[0]) * std::polar(1.0, static_cast<double>(k) * value[2]);
-        const Eigen::Vector2d expected = value.size() == 3 ? Eigen::Vector2d(turned.real(), turned.imag())
-                                                           : at_most(at(value, 2 * k), frame.longest_line);
+        const auto turned = [&] {
+          const Complex end = std::polar(value[1], value[0] + static_cast<double>(k) * value[2]);
+          return Eigen::Vector2d(end.real(), end.imag());
+        };
+        const Eigen::Vector2d expected =
+            value.size() == 3 ? turned() : at_most(at(value, 2 * k), frame.longest_line);
         EXPECT_LT((lines[k] - expected).norm(), 1e-6) << controller.name << ' ' << k;
       }
     }
