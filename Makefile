@@ -121,7 +121,7 @@ help:
 	@echo '  make verify          compare the finished run in OUT with reports/reference/NAME, NAME as in the profile'
 	@echo '  make reference       keep the finished run in OUT as that reference'
 	@echo '  make figures         the kept verdicts by the rules of reports/claims.toml, and from reports/reference the tables'
-	@echo '                       of the READMEs (reports/kept_tables.toml)'
+	@echo '                       and sentences of the READMEs (reports/kept_tables.toml)'
 	@echo '  make compare A=out/one B=out/other   in what two runs differ, finished or not: OUT/index.html (here out/compare)'
 	@echo '  make export          the repertoires of the run in OUT for FORMAT=pyribs (.csv) or FORMAT=qdax (.npy), below TO'
 	@echo '                       (OUT/export); STAGE=layer4, REP=0: only these'
@@ -264,7 +264,7 @@ graph: build
 reference: build
 	@$(programs)/reference keep "$$GIVEN_OUT" reports/reference
 
-# The READMEs' tables of kept runs.
+# The READMEs' figures of kept runs.
 figures: build
 	@$(programs)/reference claims reports/claims.toml reports/reference
 	@$(programs)/reference tables reports/kept_tables.toml reports/reference

@@ -42,9 +42,14 @@ std::string turns_in_words(const StatisticsView& statistics) {
   if (!flat || !hbr_refused || !flat_refused) return "";
   const char *more = "turn more sharply than", *less = "turn less sharply than",
              *alike = "turn about as sharply as";
-  const bool told =
-      (flat->low > 0.5 || flat->high < 0.5) && (hbr_refused->low > 0.5 || hbr_refused->high < 0.5 ||
-                                                flat_refused->low > 0.5 || flat_refused->high < 0.5);
+  const auto tells = [](const Estimate& e) { return e.low > 0.5 || e.high < 0.5; };
+  std::string what;  // it goes with
+  if (tells(*flat)) what = "who drew it";
+  if (tells(*hbr_refused) || tells(*flat_refused))
+    what += fmt::format("{}what the judge says of it{}", what.empty() ? "" : " and with ",
+                        !tells(*flat_refused)  ? ", within the hierarchy"
+                        : !tells(*hbr_refused) ? ", within the flat search"
+                                               : "");
   std::string curvature;
   if (const auto test = statistics.test("digit_turns.flat.curvature", "digit_turns.hbr.curvature");
       test && test->p)
@@ -59,9 +64,10 @@ std::string turns_in_words(const StatisticsView& statistics) {
       by_sign(*flat, 0.5, more, less, alike), in_words(*flat), by_sign(*hbr_refused, 0.5, more, less, alike),
       in_words(*hbr_refused), by_sign(*flat_refused, 0.5, more, less, alike), in_words(*flat_refused),
       curvature,
-      told ? "So how sharply a digit turns goes with who drew it and with what the judge says of it; an "
-             "A<sub>12</sub> near 0.5 means that most of the verdict depends on something else."
-           : "So in this run the angles do not tell good digits from refused ones.");
+      what.empty() ? "So in this run the angles tell neither who drew a digit nor whether it is good."
+                   : fmt::format("So how sharply a digit turns goes with {}; an A<sub>12</sub> near 0.5 "
+                                 "means that most of it depends on something else.",
+                                 what));
 }
 
 std::string confusion_in_words(const StatisticsView& statistics) {

@@ -151,8 +151,9 @@ std::string tests_table(const StatisticsView& statistics, const std::vector<std:
   if (rows.empty()) return "";
   return "<details class=\"tests\"><summary>Rank-sum tests of every pair</summary>" +
          html_table(
-             "Two-sided rank-sum tests over the replications (normal approximation, corrected for ties "
-             "and continuity). A<sub>12</sub>: the chance that a value of a is greater than one of b",
+             "Two-sided rank-sum tests over the replications (exact for few of them, else by the normal "
+             "approximation, corrected for ties and continuity). A<sub>12</sub>: the chance that a value of "
+             "a is greater than one of b",
              {"a / b", "n", "median a / median b", "p", "A<sub>12</sub>"}, rows) +
          "</details>\n";
 }

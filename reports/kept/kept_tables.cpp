@@ -3,14 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-#include <regex>
-
+#include "pipeline/artifact/content.h"
 #include "pipeline/artifact/profile.h"
 #include "pipeline/core/check.h"
-#include "reports/claims/verdicts.h"
-#include "reports/text/format.h"
-#include "reports/text/template.h"
+#include "reports/kept/kept_figures.h"
 
 namespace hbr::inline reports {
 template <class Fields>
@@ -32,59 +28,21 @@ template <class Fields>
 void describe(Fields& f, VerdictTable& t) {
   f.text("name", t.name, "as in its marks");
   f.text("file", t.file, "where it stands");
-  f.text("rules", t.rules, "claims and their rules");
   f.texts("runs", t.runs, "whose verdicts it has");
   f.texts("studies", t.studies, "whose variations may move them");
 }
 template <class Fields>
+void describe(Fields& f, KeptSentence& s) {
+  f.text("file", s.file, "where it stands");
+  f.text("text", s.text, "its words, with places for its figures");
+}
+template <class Fields>
 void describe(Fields& f, KeptTables& t) {
+  f.text("rules", t.rules, "claims and their rules");
   f.tables("tables", t.tables, "tables of kept runs");
   f.tables("verdicts", t.verdicts, "tables of their verdicts");
+  f.tables("sentences", t.sentences, "sentences with their figures");
 }
-namespace {
-
-constexpr const char* kDash = "–";
-
-std::string verdicts_in_words(const nlohmann::json& all) {
-  const nlohmann::json claims = claims_decided_by("result", all);
-  std::map<std::string, int> times;
-  for (const nlohmann::json& claim : claims) ++times[claim.at("verdict")];
-  return fmt::format("{} / {} / {} / {} of {}", times["reproduced"], times["partly"], times["undecided"],
-                     times["not"], claims.size());
-}
-
-std::map<std::string, std::string> values_of(const KeptRun& run) {
-  std::map<std::string, std::string> values{{"verdicts", verdicts_in_words(run.claims)}};
-  if (run.costs.empty()) return values;
-  const StageCost whole = whole_cost(run.costs);
-  values["cpu"] = format_quantity(std::round(whole.cpu_seconds), "s");
-  values["memory"] = format_number(whole.memory / 1e9, 2) + "\u202fGB";
-  values["disk"] = format_number(whole.disk / 1e9, 2) + "\u202fGB";
-  return values;
-}
-
-// Each place that the text asks for: {{KIND:NAME...}}.
-std::string filled(const std::string& text, const KeptRun& run) {
-  static const std::regex place(R"(\{\{(\w+):([^:}]+)[^}]*\}\})");
-  TemplateContent content;
-  content.statistics = run.statistics.at("");
-  const std::map<std::string, std::string> values = values_of(run);
-  std::string needed;
-  for (std::sregex_iterator at(text.begin(), text.end(), place), end; at != end; ++at) {
-    if ((*at)[1] != "value") {
-      needed += fmt::format(" {}:{}", (*at)[1].str(), (*at)[2].str());
-    } else if (const auto found = values.find((*at)[2]); found != values.end()) {
-      content.values.insert(*found);
-    } else if ((*at)[2] == "cpu" || (*at)[2] == "memory" || (*at)[2] == "disk") {
-      return kDash;  // kept before costs were
-    }
-  }
-  return fill_template(
-      needed.empty() ? text : fmt::format("{{{{if{}}}}}{}{{{{else}}}}{}{{{{end}}}}", needed, text, kDash),
-      content);
-}
-
-}  // namespace
 
 KeptTables read_kept_tables(const std::filesystem::path& path) { return read_profile<KeptTables>(path); }
 
@@ -100,7 +58,7 @@ std::string as_markdown(const KeptTable& table, const std::map<std::string, Kept
     std::vector<std::string> cells{row.what};
     for (const std::string& run : row.runs.empty() ? table.runs : row.runs)
       for (const std::string& cell : row.cells)
-        cells.push_back(kept.contains(run) ? filled(cell, kept.at(run)) : kDash);
+        cells.push_back(kept.contains(run) ? with_figures(cell, kept.at(run)) : kNotMeasured);
     cells.push_back(row.last);
     text += line(cells);
   }
@@ -119,6 +77,26 @@ std::string with_table(const std::string& text, const std::string& file, const s
         "{}: expected a line '{}' and below it, before that of any other table, one '{}', found none", file,
         begin.substr(0, begin.size() - 1), end.substr(0, end.size() - 1));
   return text.substr(0, inside) + markdown + text.substr(to);
+}
+
+std::map<std::string, std::string> filled_files(const KeptTables& all,
+                                                const std::map<std::string, KeptRun>& kept,
+                                                const std::filesystem::path& repository) {
+  std::map<std::string, std::string> texts;
+  const auto text = [&](const std::string& file) -> std::string& {
+    return texts.try_emplace(file, texts.contains(file) ? "" : read_whole(repository / file)).first->second;
+  };
+  const auto place = [&](const auto& table, const std::string& markdown) {
+    std::string& whole = text(table.file);
+    whole = with_table(whole, table.file, table.name, markdown);
+  };
+  for (const KeptTable& table : all.tables) place(table, as_markdown(table, kept));
+  for (const VerdictTable& table : all.verdicts)
+    place(table, as_markdown(table, kept, repository / all.rules));
+  for (const KeptSentence& sentence : all.sentences) text(sentence.file);
+  for (auto& [file, whole] : texts)
+    whole = with_sentences(whole, file, all.sentences, kept, repository / all.rules);
+  return texts;
 }
 
 }  // namespace hbr::inline reports

@@ -12,7 +12,6 @@ namespace hbr::inline reports {
 
 struct VerdictTable {
   std::string name, file;            // as in KeptTable
-  std::string rules;                 // reports/claims.toml, a path below the repository
   std::vector<std::string> runs;     // a column each
   std::vector<std::string> studies;  // runs with variations: those that would read otherwise are named
 };

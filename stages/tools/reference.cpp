@@ -1,7 +1,7 @@
 // reference keep OUT FOLDER: what a finished run found, small enough for the repository, as FOLDER/PROFILE.
 // reference verify OUT FOLDER: the run compared with it; exit code 2 where they differ.
 // reference claims TOML FOLDER: the verdicts of what is kept in FOLDER by the rules as they are now.
-// reference tables TOML FOLDER: the READMEs' tables filled from what is kept in FOLDER.
+// reference tables TOML FOLDER: the READMEs' tables and sentences filled from what is kept in FOLDER.
 // No stage: it tells of runs, and makes no artifact.
 #include <fmt/format.h>
 
@@ -43,18 +43,13 @@ int judge_anew(const fs::path& rules, const fs::path& references) {
   return 0;
 }
 
-void fill(const std::string& file, const std::string& name, const std::string& markdown) {
-  const std::string before = hbr::read_whole(file), after = hbr::with_table(before, file, name, markdown);
-  if (after != before) hbr::write_whole(file, after);
-  fmt::print("{}: table '{}' {}\n", file, name, after == before ? "is as it should be" : "filled");
-}
-
-int fill_tables(const fs::path& tables, const fs::path& references) {
-  const std::map<std::string, hbr::KeptRun> kept = hbr::read_all_kept(references);
-  const hbr::KeptTables all = hbr::read_kept_tables(tables);
-  for (const hbr::KeptTable& table : all.tables) fill(table.file, table.name, as_markdown(table, kept));
-  for (const hbr::VerdictTable& table : all.verdicts)
-    fill(table.file, table.name, as_markdown(table, kept, table.rules));
+int fill_files(const fs::path& tables, const fs::path& references) {
+  const auto kept = hbr::read_all_kept(references);
+  for (const auto& [file, text] : hbr::filled_files(hbr::read_kept_tables(tables), kept, ".")) {
+    const bool same = hbr::read_whole(file) == text;
+    if (!same) hbr::write_whole(file, text);
+    fmt::print("{}: {}\n", file, same ? "has the kept runs' figures" : "filled with the kept runs' figures");
+  }
   return 0;
 }
 
@@ -64,7 +59,7 @@ int main(int argc, char** argv) {
   return hbr::guarded_main("reference", [&] {
     const std::string_view task = argc == 4 ? argv[1] : "";
     if (task == "claims") return judge_anew(argv[2], argv[3]);
-    if (task == "tables") return fill_tables(argv[2], argv[3]);
+    if (task == "tables") return fill_files(argv[2], argv[3]);
     if (task != "keep" && task != "verify")
       throw hbr::InputError(
           "expected a task and two paths: reference keep|verify OUT FOLDER, or reference claims|tables TOML "

@@ -20,6 +20,7 @@ const KeptTable kTable = {"t",
                           {{"lines", {}, {"{{stat:accuracy.n10:n}} of {{number:pooled.layer2_size}}"}, "1"},
                            {"not measured", {}, {"{{stat:layer4.mean:median}}"}, ""},
                            {"one run's", {"paper"}, {"{{value:cpu}}", "{{value:memory}}"}, ""},
+                           {"stages'", {"paper"}, {"{{value:cpu.layer1}}", "{{value:each.layer1}}"}, ""},
                            {"verdicts", {}, {"{{value:verdicts}}"}, ""}}};
 
 TEST(KeptTables, HoldTheKeptRunsFigures) {
@@ -31,6 +32,7 @@ TEST(KeptTables, HoldTheKeptRunsFigures) {
             "| lines | 50 of 1\u202f400 | – | 1 |\n"
             "| not measured | – | – |  |\n"
             "| one run's | 31\u202fs | 0.20\u202fGB |  |\n"
+            "| stages' | 1.25\u202fs | 0.625\u202fs |  |\n"
             "| verdicts | 1 / 0 / 0 / 0 of 2 | – |  |\n");
   EXPECT_THAT(as_markdown(kTable, {{"paper", old}}), HasSubstr("| one run's | – | – |  |"));
 }
@@ -66,12 +68,15 @@ TEST(KeptTables, AreReadStrictly) {
   const TemporaryFolder folder;
   const auto file = folder.path() / "t.toml";
   const std::string good =
-      "[[tables]]\nname = 't'\nfile = 'f'\nhead = ['a', 'b']\nruns = []\nrows = [{what = 'w', runs = [], "
+      "rules = 'r'\n[[tables]]\nname = 't'\nfile = 'f'\nhead = ['a', 'b']\nruns = []\nrows = [{what = 'w', "
+      "runs = [], "
       "cells = [], last = 'l'}]\n"
-      "[[verdicts]]\nname = 'v'\nfile = 'f'\nrules = 'r'\nruns = []\nstudies = ['s']\n";
+      "[[verdicts]]\nname = 'v'\nfile = 'f'\nruns = []\nstudies = ['s']\n"
+      "[[sentences]]\nfile = 'f'\ntext = 'a {{paper number:n}} b'\n";
   write_file(file, good);
   EXPECT_EQ(read_kept_tables(file).tables.at(0).rows.at(0).last, "l");
   EXPECT_EQ(read_kept_tables(file).verdicts.at(0).studies.at(0), "s");
+  EXPECT_EQ(read_kept_tables(file).sentences.at(0).text, "a {{paper number:n}} b");
   for (const std::string& wrong :
        {good + "nam = 't'\n", good.substr(0, good.find("rows")), std::string("[[tables\n")}) {
     write_file(file, wrong);
@@ -85,16 +90,10 @@ TEST(KeptTables, OfTheReadmesAreTheReferences) {
   const std::filesystem::path sources = HBR_SOURCE_DIR;
   const auto kept = read_all_kept(sources / "reports/reference");
   EXPECT_TRUE(kept.contains("reduced") && kept.contains("paper"));
-  const auto tables = read_kept_tables(sources / "reports/kept_tables.toml");
-  const auto expect_filled = [&](const auto& table, const std::string& markdown) {
-    const std::string text = read_whole(sources / table.file);
-    EXPECT_EQ(with_table(text, table.file, table.name, markdown), text)
-        << table.file << ": `make figures` fills its table '" << table.name << "'";
-  };
-  EXPECT_FALSE(tables.tables.empty() || tables.verdicts.empty());
-  for (const KeptTable& table : tables.tables) expect_filled(table, as_markdown(table, kept));
-  for (const VerdictTable& table : tables.verdicts)
-    expect_filled(table, as_markdown(table, kept, sources / table.rules));
+  const KeptTables all = read_kept_tables(sources / "reports/kept_tables.toml");
+  EXPECT_FALSE(all.tables.empty() || all.verdicts.empty() || all.sentences.empty());
+  for (const auto& [file, text] : filled_files(all, kept, sources))
+    EXPECT_EQ(text, read_whole(sources / file)) << file << ": `make figures` fills its figures";
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(VerdictTable, NamesTheReadingsThatMoveAClaim) {
       {"", arcs(-1, 5)}, {"same", arcs(-1.5, 5)}, {"worse", arcs(-3, 5)}, {"bad", arcs(-9, 5)}};
   study.statistics["none"] = {{"quantities", nlohmann::json::object()},
                               {"numbers", nlohmann::json::object()}};
-  const VerdictTable table{"t", "f", "r", {"paper", "lines"}, {"study", "other"}};
+  const VerdictTable table{"t", "f", {"paper", "lines"}, {"study", "other"}};
   EXPECT_EQ(as_markdown(table, {{"paper", run}, {"study", study}}, rules(folder)),
             "| Claim | `paper` | `lines` | moved in `study` to | moved in `other` to |\n"
             "| --- | --- | --- | --- | --- |\n"

@@ -26,18 +26,25 @@ std::string notes_of_turns(double flat, double hbr_refused, double flat_refused)
 }
 
 TEST(FoundInWords, TurnsByTheirIntervals) {
-  EXPECT_THAT(notes_of_turns(0.9, 0.6, 0.52),
-              AllOf(HasSubstr("Flat digits turn more sharply than those"), HasSubstr("0.90 [0.85; 0.95]"),
-                    HasSubstr("of the hierarchy turn more sharply than its good ones"),
-                    HasSubstr("refused flat digits turn about as sharply as good flat ones"),
-                    HasSubstr("goes with who drew it")));
+  EXPECT_THAT(
+      notes_of_turns(0.9, 0.6, 0.52),
+      AllOf(HasSubstr("Flat digits turn more sharply than those"), HasSubstr("0.90 [0.85; 0.95]"),
+            HasSubstr("of the hierarchy turn more sharply than its good ones"),
+            HasSubstr("refused flat digits turn about as sharply as good flat ones"),
+            HasSubstr("goes with who drew it and with what the judge says of it, within the hierarchy;")));
   EXPECT_THAT(notes_of_turns(0.3, 0.4, 0.6),
               AllOf(HasSubstr("Flat digits turn less sharply than those"),
                     HasSubstr("of the hierarchy turn less sharply than its good ones"),
                     HasSubstr("refused flat digits turn more sharply than good flat ones")));
-  EXPECT_THAT(notes_of_turns(0.9, 0.52, 0.48), HasSubstr("do not tell good digits from refused ones"));
+  EXPECT_THAT(notes_of_turns(0.9, 0.7, 0.3),
+              HasSubstr("with who drew it and with what the judge says of it;"));
+  EXPECT_THAT(notes_of_turns(0.9, 0.52, 0.48), HasSubstr("goes with who drew it;"));
+  EXPECT_THAT(notes_of_turns(0.5, 0.5, 0.7),
+              HasSubstr("with what the judge says of it, within the flat search;"));
   EXPECT_THAT(notes_of_turns(0.5, 0.7, 0.7),
               AllOf(HasSubstr("Flat digits turn about as sharply"), Not(HasSubstr("goes with who drew it"))));
+  EXPECT_THAT(notes_of_turns(0.5, 0.5, 0.5),
+              HasSubstr("tell neither who drew a digit nor whether it is good"));
 }
 
 TEST(FoundInWords, RareClassesByTheirIntervals) {
