@@ -77,11 +77,8 @@ std::string claims_table(const json& claims) {
       table(
           "Each claim, and below it what is compared. In the charts the dark bar is what counts as "
           "reproduced, the pale one what counts in part (where a test is asked for, if its p, adjusted, is "
-          "below "
-          "0.05; else the check is undecided), the dot this run. A dot beyond both does not hold, whatever "
-          "the "
-          "test says. p: two-sided rank-sum "
-          "test over the replications (exact for up to " +
+          "below 0.05; else the check is undecided), the dot this run. A dot beyond both does not hold, "
+          "whatever the test says. p: two-sided rank-sum test over the replications (exact for up to " +
               std::to_string(kSmall) +
               " values, else the normal approximation, corrected for ties and continuity, as in "
               "the paper), adjusted for all the tests here that decide (Holm 1979) unless it is the "

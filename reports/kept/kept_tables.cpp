@@ -84,7 +84,9 @@ std::map<std::string, std::string> filled_files(const KeptTables& all,
                                                 const std::filesystem::path& repository) {
   std::map<std::string, std::string> texts;
   const auto text = [&](const std::string& file) -> std::string& {
-    return texts.try_emplace(file, texts.contains(file) ? "" : read_whole(repository / file)).first->second;
+    std::string& whole = texts[file];
+    if (whole.empty()) whole = read_whole(repository / file);
+    return whole;
   };
   const auto place = [&](const auto& table, const std::string& markdown) {
     std::string& whole = text(table.file);
