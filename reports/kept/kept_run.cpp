@@ -180,6 +180,8 @@ std::string list_in_lines(const json& list) {
 
 }  // namespace
 
+std::string settings_hash(const json& settings) { return short_hash(sha256_of_text(settings.dump())); }
+
 KeptRun read_run(const fs::path& out) {
   if (!fs::exists(out / "page.json"))
     throw InputError("{} holds no finished run: its report is missing; `make all` of the profile makes it",
@@ -193,8 +195,7 @@ KeptRun read_run(const fs::path& out) {
     if (output.ends_with(kStatistics))
       run.statistics[manifest.slice.variation] = without_curves(read_statistics(out / output));
     else if (output != "page")
-      run.artifacts[output] = {short_hash(manifest.content.sha256),
-                               short_hash(sha256_of_text(manifest.slice.settings.dump()))};
+      run.artifacts[output] = {short_hash(manifest.content.sha256), settings_hash(manifest.slice.settings)};
     // Everything that it was made from is what stands there now.
     for (const auto& [name, input] : manifest.slice.inputs)
       if (manifest.made_from.inputs.at(name) != manifests.at(input).content.sha256)

@@ -27,6 +27,9 @@ struct KeptRun {
   std::map<std::string, StageCost> costs;         // none of runs that were kept before costs were
 };
 
+// What artifacts.csv says of the settings that an artifact's stage was told.
+std::string settings_hash(const nlohmann::json& settings);
+
 // The finished run in an output folder. Throws InputError where its report is missing, or something that it
 // was made from has changed since.
 KeptRun read_run(const std::filesystem::path& out);
