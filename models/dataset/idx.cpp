@@ -115,7 +115,7 @@ Idx read_idx(const fs::path& file, std::size_t dimensions, const std::string& sh
     if (const std::string found = sha256_of(bytes); found != sha256)
       throw InputError(
           "{}: expected sha256 {}, found {} ({} bytes): if it is damaged, fetch it again; if it is of "
-          "another dataset, say so in the profile: under [dataset] its name, and sha256 = []",
+          "another dataset, say so in the profile: under [dataset] its name, its folder, and sha256 = []",
           name, sha256, found, bytes.size());
   if (!whole_header)
     throw InputError("{}: too short: expected a header of {} bytes, found {} bytes in all; fetch it again",

@@ -8,6 +8,8 @@
 namespace hbr::inline stages {
 namespace {
 
+constexpr const char *kMnist = "mnist", *kMnistFolder = ".cache/mnist";
+
 // The four files of a dataset, gzipped where they are not there plain.
 std::vector<std::string> idx_files(const std::filesystem::path& folder) {
   std::vector<std::string> files;
@@ -39,8 +41,12 @@ void plan_learned(Plan& plan) {
   const Profile& p = plan.profile();
   if (p.replications.digits == 0) return;
   DatasetSettings dataset = p.dataset;
-  if (const char* folder = std::getenv("MNIST_DIR"); folder && *folder && dataset.name == "mnist")
-    dataset.folder = folder;
+  const char* folder = std::getenv("MNIST_DIR");
+  if (folder && *folder && dataset.name == kMnist) dataset.folder = folder;
+  if (dataset.name != kMnist && dataset.folder == kMnistFolder)
+    plan.fail(fmt::format("dataset.folder: '{}' is that of '{}'; expected another of the dataset '{}'{}",
+                          kMnistFolder, kMnist, dataset.name,
+                          folder && *folder ? fmt::format(" (MNIST_DIR names that of '{}')", kMnist) : ""));
   if (!is_utf8(dataset.folder))
     plan.fail(fmt::format("the dataset's folder '{}' is not UTF-8, as the texts in manifests are; rename it",
                           as_utf8(dataset.folder)));

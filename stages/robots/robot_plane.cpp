@@ -41,6 +41,7 @@ constexpr int kSamples = 20000;  // starts for inverse kinematics
 // While the plane is sought, a point counts as covered within this share of the tolerance: layer 1 needs the
 // rest.
 constexpr double kStrict = 0.1;
+constexpr double kAtTheShoulder = 1e-6;  // m
 
 // Half of them the outermost in each direction, where a plane fails first, half over all.
 std::vector<Eigen::Vector2d> some_of(const std::vector<Eigen::Vector2d>& points, int count) {
@@ -89,6 +90,11 @@ void run(StageRun& stage) {
   std::vector<Eigen::Vector2d> points;
   for (Eigen::Index i = 0; i < arm.size(); ++i)
     points.push_back((2 * arm.measures.row(i).transpose().cast<double>().array() - 1) * settings.half_side);
+
+  if (std::ranges::all_of(points, [](const Eigen::Vector2d& p) { return p.norm() < kAtTheShoulder; }))
+    throw InputError(
+        "{}: all {} points of the arm are at its shoulder; expected some that it can draw between",
+        stage.input("layer1").string(), points.size());
 
   // It stands nowhere yet.
   const RobotOnPlane robot = make_robot(settings.robot, DrawingPlane::facing({0, 0, 0}, 0, 0, 1));

@@ -144,7 +144,12 @@ bool draw_boards(Scene scene, const RobotModel& model, const std::vector<Chain>&
   for (const Chain& chain : chains) {
     std::vector<std::string> joints;
     for (const Joint* joint : chain.leaders) joints.push_back(joint->name);
-    if (joints.size() < 2 || joints.size() > kMostJoints) continue;
+    if (joints.size() < 2 || joints.size() > kMostJoints) {
+      tell("boards  of '{}': {}\n", chain.link,
+           joints.size() < 2 ? "none, as a joint alone moves it along a curve"
+                             : fmt::format("not looked for, as more than {} joints move it", kMostJoints));
+      continue;
+    }
     std::string line;
     double side = 0;
     std::vector<KindOfBoard> found;
@@ -208,7 +213,7 @@ void describe(const std::filesystem::path& urdf, const std::filesystem::path& ou
   scene.floor = box.min()[2];
   const Eigen::Vector3d size = box.sizes();
 
-  tell("{}: {} links, {} joints, of which {} move by themselves\n\n{}\n", model.name, model.links.size(),
+  tell("{}: links: {}, joints: {}, of them moving by themselves: {}\n\n{}\n", model.name, model.links.size(),
        model.joints.size(), model.independent_joints().size(), joint_table(model));
   tell("limits in rad or m, velocity in rad/s or m/s, effort in N m or N\n\nmass    {:.4f} kg\n",
        body.mass());

@@ -1,10 +1,8 @@
 // A temporary folder with a profile of the fake experiment, and the tool called on it as from a shell.
 #pragma once
 
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,25 +11,9 @@
 
 #include "pipeline/core/settings.h"
 #include "tests/end_to_end/fake_experiment.h"
+#include "tests/support/shell.h"
 
 namespace hbr {
-
-struct ShellResult {
-  int code = 0;
-  std::string text;  // stdout and stderr
-};
-
-// Runs a line in bash.
-inline ShellResult shell(const std::string& line) {
-  ShellResult outcome;
-  // Make's own variables would make the tests depend on how they were called.
-  FILE* pipe = ::popen(("env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS bash -c '" + line + "' 2>&1").c_str(), "r");
-  char buffer[4096];
-  while (const std::size_t got = std::fread(buffer, 1, sizeof buffer, pipe)) outcome.text.append(buffer, got);
-  const int status = ::pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  return outcome;
-}
 
 class FakeFolder {
  public:

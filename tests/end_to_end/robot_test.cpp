@@ -23,9 +23,10 @@ TEST_F(RobotProgram, TellsAndShowsWhatARobotIs) {
   const ShellResult told = robot("models/industrial/six_joint_arm.urdf " + out.string() + " \"\" elbow=0.5");
   EXPECT_EQ(told.code, 0) << told.text;
   for (const char* words :
-       {"8 links, 7 joints, of which 6 move", "\nelbow      revolute  upper_arm -> fore_arm",
-        "mass    67.5000 kg", "\nheight  ", "\nreach   1.236 m from joint 'turn' to 'pen'",
-        "\nboards  of 'pen', largest squares about: level ", " m, upright ", " m, leaning "})
+       {"links: 8, joints: 7, of them moving by themselves: 6",
+        "\nelbow      revolute  upper_arm -> fore_arm", "mass    67.5000 kg", "\nheight  ",
+        "\nreach   1.236 m from joint 'turn' to 'pen'", "\nboards  of 'pen', largest squares about: level ",
+        " m, upright ", " m, leaning "})
     EXPECT_THAT(told.text, HasSubstr(words));
   for (const auto& [name, magic] : {std::pair("six_joint_arm.png", "\x89PNG"),
                                     {"six_joint_arm_reach.png", "\x89PNG"},
@@ -77,7 +78,8 @@ TEST_F(RobotProgram, ShowsWhatIsOdd) {
   for (const std::string words :
        {"odd.urdf:2: <robot> has no name: called 'odd'",
         "odd.urdf:4: <box> of link 'gr\xc3\xbcn' has the size", "odd.urdf:8: joint 'k' is floating",
-        "links 'gr\xc3\xbcn', 'b': principal moments of inertia 0, 0, 0 kg m^2"})
+        "links 'gr\xc3\xbcn', 'b': principal moments of inertia 0, 0, 0 kg m^2",
+        "none, as a joint alone moves it along a curve"})
     EXPECT_THAT(told.text, HasSubstr(words));
 }
 

@@ -1,11 +1,10 @@
 // The stages of the data and of the judge as programs, on a dataset made for it.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-
 #include <nlohmann/json.hpp>
 
 #include "pipeline/core/check.h"
 #include "tests/models/dataset/idx_fixture.h"
+#include "tests/support/shell.h"
 
 namespace hbr {
 namespace {
@@ -15,12 +14,8 @@ using ::testing::HasSubstr;
 
 class DataStages : public IdxFolder {
  protected:
-  struct Outcome {
-    int code;
-    std::string output;
-  };
-  Outcome run(const std::string& program, const json& settings, const json& inputs, const std::string& output,
-              int threads = 1) {
+  ShellResult run(const std::string& program, const json& settings, const json& inputs,
+                  const std::string& output, int threads = 1) {
     const json slice = {{"stage", program},
                         {"name", program},
                         {"settings", settings},
@@ -31,10 +26,7 @@ class DataStages : public IdxFolder {
     const std::string command = "cd " + folder_.string() + " && " HBR_BINARY_DIR "/bin/" + program +
                                 " --root . --slice slice.json --output " + output +
                                 " --checkpoint checkpoint --threads " + std::to_string(threads) + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string printed;
-    for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) printed += static_cast<char>(c);
-    return {WEXITSTATUS(pclose(pipe)), printed};
+    return shell(command);
   }
   json dataset_settings() const {
     return {{"name", "made"}, {"folder", folder_.string()}, {"sha256", json::array()}};
@@ -77,8 +69,8 @@ TEST_F(DataStages, JudgeTheImagesOfRepertoires) {
   write_repertoire("flat.h5", 9, 9);
   const json inputs = {
       {"dataset", "dataset.h5"}, {"judge", "judge.h5"}, {"hbr", "hbr.h5"}, {"flat", "flat.h5"}};
-  const Outcome outcome = run("digit_verdicts", json::object(), inputs, "digits.h5");
-  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const ShellResult outcome = run("digit_verdicts", json::object(), inputs, "digits.h5");
+  ASSERT_EQ(outcome.code, 0) << outcome.text;
   const Hdf5Reader digits(folder_ / "digits.h5");
   EXPECT_EQ(digits.read<std::int64_t>("flat/id").values,
             Hdf5Reader(folder_ / "flat.h5").read<std::int64_t>("id").values);
@@ -109,10 +101,10 @@ TEST_F(DataStages, LeaveTheSameBytesForOneThreadAndTwo) {
 
 TEST_F(DataStages, SayInOneLineWhatIsWrong) {
   std::filesystem::remove(folder_ / kIdxFiles[0]);
-  Outcome outcome = run("dataset", dataset_settings(), json::object(), "dataset.h5");
+  ShellResult outcome = run("dataset", dataset_settings(), json::object(), "dataset.h5");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output, HasSubstr(kIdxFiles[0]));
-  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+  EXPECT_THAT(outcome.text, HasSubstr(kIdxFiles[0]));
+  EXPECT_EQ(std::count(outcome.text.begin(), outcome.text.end(), '\n'), 1) << outcome.text;
 
   write_part(0, train_);
   // Another dataset in MNIST's place.
@@ -120,14 +112,14 @@ TEST_F(DataStages, SayInOneLineWhatIsWrong) {
   mnist["sha256"] = {"a", "b", "c", "d"};
   outcome = run("dataset", mnist, json::object(), "dataset.h5");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output, HasSubstr("under [dataset] its name, and sha256 = []"));
+  EXPECT_THAT(outcome.text, HasSubstr("under [dataset] its name, its folder, and sha256 = []"));
 
   ASSERT_EQ(run("dataset", dataset_settings(), json::object(), "dataset.h5").code, 0);
   json settings = judge_settings();
   settings["random_strokes"]["fewest_points"] = 20;
   outcome = run("judge", settings, {{"dataset", "dataset.h5"}}, "judge.h5");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output, HasSubstr("random_strokes"));
+  EXPECT_THAT(outcome.text, HasSubstr("random_strokes"));
 
   ASSERT_EQ(run("judge", judge_settings(), {{"dataset", "dataset.h5"}}, "judge.h5").code, 0);
   write_repertoire("hbr.h5", 12, 11);
@@ -135,7 +127,7 @@ TEST_F(DataStages, SayInOneLineWhatIsWrong) {
       {"dataset", "dataset.h5"}, {"judge", "judge.h5"}, {"hbr", "hbr.h5"}, {"flat", "hbr.h5"}};
   outcome = run("digit_verdicts", json::object(), inputs, "digits.h5");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output, HasSubstr("hbr.h5"));
+  EXPECT_THAT(outcome.text, HasSubstr("hbr.h5"));
 }
 
 }  // namespace

@@ -114,6 +114,21 @@ TEST(Profiles, EveryOptionOfTheLedgerIsAKey) {
   EXPECT_GT(options, 10);
 }
 
+// Or MNIST would be taken for it in silence.
+TEST(Profiles, ADatasetOfOnesOwnHasAFolderOfItsOwn) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "p.toml";
+  const std::string opening = "base = \"" + (kProfiles / "reduced.toml").string() +
+                              "\"\nname = \"p\"\ndataset = { name = \"noise\", sha256 = []";
+  std::ofstream(file) << opening << " }\n";
+  EXPECT_THAT([&] { experiment_graph(file); },
+              testing::ThrowsMessage<InputError>(HasSubstr(
+                  "p.toml: dataset.folder: '.cache/mnist' is that of 'mnist'; expected another of the "
+                  "dataset 'noise'")));
+  std::ofstream(file) << opening << ", folder = \"noise\" }\n";
+  EXPECT_NO_THROW(experiment_graph(file));
+}
+
 // What is wrong with a layer's table is told at its place.
 TEST(Layers, AreReadStrictly) {
   const TemporaryFolder folder;

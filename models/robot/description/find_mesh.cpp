@@ -83,6 +83,14 @@ fs::path one_deeper(const fs::path& folder, const fs::path& name) {
   return {};
 }
 
+// The same, with the package's name and without.
+fs::path one_deeper_in(const std::vector<fs::path>& folders, const std::vector<fs::path>& ends) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(2, ends.size()); ++i)
+    for (const fs::path& folder : folders)
+      if (const fs::path found = one_deeper(folder, ends[i]); !found.empty()) return found;
+  return {};
+}
+
 // Near the URDF, though not where its name says.
 fs::path near(const fs::path& urdf, const fs::path& name) {
   std::vector<fs::path> above{fs::absolute(urdf).parent_path()};
@@ -92,11 +100,7 @@ fs::path near(const fs::path& urdf, const fs::path& name) {
   for (const fs::path& end : ends)
     for (const fs::path& folder : above)
       if (is_file(folder / end)) return folder / end;
-  for (std::size_t i = 0; i < std::min<std::size_t>(2, ends.size());
-       ++i)  // with the package's name, and without
-    for (const fs::path& folder : above)
-      if (const fs::path found = one_deeper(folder, ends[i]); !found.empty()) return found;
-  return {};
+  return one_deeper_in(above, ends);
 }
 
 // Of a glTF's buffers.
@@ -137,6 +141,7 @@ FoundMesh find_mesh(const std::string& name, const fs::path& urdf, const fs::pat
     if (const fs::path found = below(folder, path); !found.empty()) return {found};
     for (const fs::path& inner : folders_in(folder))
       if (const fs::path found = below(inner, path); !found.empty()) return {found, true};
+    if (const fs::path found = one_deeper_in({folder}, tails(path)); !found.empty()) return {found, true};
     throw InputError("{}: mesh '{}' is missing below the mesh folder {}", urdf.string(), name,
                      folder.string());
   }

@@ -19,6 +19,8 @@ std::string one_line(std::string text) {
   return text.size() > kLongest ? text.substr(0, kLongest) + " ..." : text;
 }
 
+constexpr std::size_t kMostLinks = 1000;  // several humanoids with hands have fewer
+
 RobotModel read_urdf(const std::filesystem::path& path) {
   std::error_code ignored;  // a pipe might never end
   const bool is_file = std::filesystem::is_regular_file(path, ignored);
@@ -30,6 +32,9 @@ RobotModel read_urdf(const std::filesystem::path& path) {
   std::vector<std::string> odd;
   UrdfText text(path.string(), utf8_of_xml(path.string(), bytes, odd));
   const UrdfTree tree = read_tree(text);
+  if (tree.nodes.size() > kMostLinks)
+    throw InputError("{}: {} links; expected at most {}: take the robot that draws alone", path.string(),
+                     tree.nodes.size(), kMostLinks);
   const Colours colours = read_colours(text);
   RobotModel model;
   model.path = path;

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <set>
 
 namespace hbr::inline robots {
 namespace {
@@ -82,13 +81,14 @@ void tell_of_friction(UrdfText& text, const XMLElement& joint) {
 void follow_to_the_end(const UrdfText& text, const XMLElement& element, const std::vector<Joint>& joints,
                        Joint& follower) {
   std::vector<std::string> way{follower.name};
-  std::set<int> passed;
   while (follower.mimic >= 0 && joints[follower.mimic].mimic >= 0) {
     const Joint& leader = joints[follower.mimic];
+    const auto passed = std::ranges::find(way, leader.name);
+    if (passed != way.end())
+      text.refuse(element,
+                  "never comes to a joint that moves by itself by its <mimic>: '{}' -> '{}' is a loop",
+                  fmt::join(passed, way.end(), "' -> '"), leader.name);
     way.push_back(leader.name);
-    if (!passed.insert(follower.mimic).second)
-      text.refuse(element, "never comes to a joint that moves by itself by its <mimic>: '{}' is a loop",
-                  fmt::join(std::ranges::find(way, leader.name), way.end(), "' -> '"));
     follower.offset += follower.multiplier * leader.offset;
     follower.multiplier *= leader.multiplier;
     follower.mimic = leader.mimic;

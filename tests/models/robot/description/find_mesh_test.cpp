@@ -45,12 +45,14 @@ TEST(FindMesh, FindsWhatWasMovedAndSaysSo) {
   const TestFolder folder;
   const auto& at = folder.path();
   const auto urdf = at / "pack/urdf/a.urdf";
-  for (const char* inner : {"pack/urdf", "pack/meshes/visual", "pack/inner/meshes", "mine/deep/meshes"})
+  for (const char* inner :
+       {"pack/urdf", "pack/meshes/visual", "pack/inner/meshes", "mine/deep/meshes", "mine/meshes/visual"})
     std::filesystem::create_directories(at / inner);
   folder.write("pack/meshes/a.obj", "");
   folder.write("pack/meshes/visual/b.obj", "");
   folder.write("pack/inner/meshes/c.obj", "");
   folder.write("mine/deep/meshes/d.obj", "");
+  folder.write("mine/meshes/visual/e.obj", "");
   for (const auto& [name, given, expected] :
        {std::tuple("package://renamed/meshes/a.obj", "", "pack/meshes/a.obj"),
         {"meshes/a.obj", "", "pack/meshes/a.obj"},
@@ -58,7 +60,9 @@ TEST(FindMesh, FindsWhatWasMovedAndSaysSo) {
         {"package://pack/meshes/b.obj", "", "pack/meshes/visual/b.obj"},
         {"package://renamed/meshes/b.obj", "", "pack/meshes/visual/b.obj"},
         {"package://pack/meshes/c.obj", "", "pack/inner/meshes/c.obj"},
-        {"package://pack/meshes/d.obj", "mine", "mine/deep/meshes/d.obj"}}) {
+        {"package://pack/meshes/d.obj", "mine", "mine/deep/meshes/d.obj"},
+        {"package://pack/meshes/e.obj", "mine", "mine/meshes/visual/e.obj"},
+        {"package://mine/meshes/e.obj", "mine", "mine/meshes/visual/e.obj"}}) {
     const FoundMesh found = find_mesh(name, urdf, *given ? at / given : "");
     EXPECT_EQ(found.path, at / expected) << name;
     EXPECT_TRUE(found.elsewhere) << name;

@@ -1,4 +1,5 @@
 // Every way in which a URDF can be wrong ends in one clear line.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -89,7 +90,7 @@ std::vector<Bad> bad_urdfs() {
       {"AxisOfTwo", robot(ab + joint("j", "a", "b", "revolute", R"(<axis xyz="0 1"/>)" + kLimit)),
        "<axis> of joint 'j' has xyz '0 1'; expected 3 numbers"},
       {"MimicsItself", robot(ab + joint("j", "a", "b", "revolute", R"(<mimic joint="j"/>)" + kLimit)),
-       ":5: joint 'j' never comes to .*'j' -> 'j' is a loop"},
+       ":5: joint 'j' never comes to [^']*'j' -> 'j' is a loop"},
       {"MimicsInWords",
        robot(ab + link("c") + joint("k", "a", "b") +
              joint("j", "b", "c", "revolute", R"(<mimic joint="k" multiplier="twice"/>)" + kLimit)),
@@ -134,7 +135,20 @@ std::vector<Bad> bad_urdfs() {
        robot(ab + link("c") + link("d") + joint("i", "a", "b", "revolute", R"(<mimic joint="j"/>)" + kLimit) +
              joint("j", "b", "c", "revolute", R"(<mimic joint="k"/>)" + kLimit) +
              joint("k", "c", "d", "revolute", R"(<mimic joint="j"/>)" + kLimit)),
-       ":7: joint 'i' never comes to .*'j' -> 'k' -> 'j' is a loop"},
+       ":7: joint 'i' never comes to [^']*'j' -> 'k' -> 'j' is a loop"},
+      {"MimicsItsFollower",
+       robot(ab + link("c") + joint("j", "a", "b", "revolute", R"(<mimic joint="k"/>)" + kLimit) +
+             joint("k", "b", "c", "revolute", R"(<mimic joint="j"/>)" + kLimit)),
+       ": joint 'j' never comes to [^']*'j' -> 'k' -> 'j' is a loop"},
+      {"TooManyLinks",
+       [] {
+         std::string all = link("l0");
+         for (int i = 1; i <= 1000; ++i)
+           all += link(fmt::format("l{}", i)) +
+                  joint(fmt::format("j{}", i), fmt::format("l{}", i - 1), fmt::format("l{}", i));
+         return robot(all);
+       }(),
+       ": 1001 links; expected at most 1000"},
       {"MimicsByTooMuch",
        robot(
            ab + link("c") + link("d") + link("e") + joint("i", "a", "b") +
