@@ -33,7 +33,7 @@ class RobotStages : public testing::Test {
 };
 
 // Dynamics come last: hours after it could be told that there are none.
-TEST_F(RobotStages, TheFirstTellsOfARobotWithoutMasses) {
+TEST_F(RobotStages, ThePlaneTellsOfRobotsWithoutMassesAndArmsWithoutReach) {
   Elites points;
   points.solution = points.measures = Rows::Constant(4, 2, 0.5f);
   points.measures(0, 0) = points.measures(1, 1) = 0.6f;
