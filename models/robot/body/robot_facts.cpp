@@ -18,6 +18,8 @@ const char* word(Joint::Kind kind) {
   return kWords[static_cast<int>(kind)];
 }
 
+std::string limit_or_none(double limit) { return limit == 0 ? "none" : fmt::format("{:.3g}", limit); }
+
 using Row = std::array<std::string, 9>;
 
 Row row_of(const RobotModel& model, const Joint& joint) {
@@ -27,8 +29,8 @@ Row row_of(const RobotModel& model, const Joint& joint) {
   row[3] = fmt::format("{:.3g} {:.3g} {:.3g}", joint.axis[0], joint.axis[1], joint.axis[2]);
   row[4] = fmt::format("{:.3f}", joint.lower);
   row[5] = fmt::format("{:.3f}", joint.upper);
-  row[6] = fmt::format("{:.3g}", joint.velocity);
-  row[7] = fmt::format("{:.3g}", joint.effort);
+  row[6] = limit_or_none(joint.velocity);
+  row[7] = limit_or_none(joint.effort);
   if (joint.mimic >= 0)
     row[8] =
         fmt::format("{:.3g} * {} + {:.3g}", joint.multiplier, model.joints[joint.mimic].name, joint.offset);

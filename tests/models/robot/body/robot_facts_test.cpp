@@ -10,6 +10,7 @@ namespace hbr {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 const std::string kNao = HBR_SOURCE_DIR "/models/nao/nao.urdf";
@@ -19,6 +20,12 @@ TEST(RobotFacts, TableHasARowForEachJoint) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 30);
   EXPECT_THAT(table, HasSubstr("\nRHipYawPitch    revolute  torso -> RPelvis        0 0.707 0.707   -1.145"));
   EXPECT_THAT(table, HasSubstr("3.35  1 * LHipYawPitch + 0\n"));
+  const auto limits = [](const std::string& words) {
+    return joint_table(load(link("a") + link("b") + at(0, "j", "a", "b", words)));
+  };
+  EXPECT_THAT(limits(R"(<limit lower="-1" upper="1" velocity="2" effort="3"/>)"), EndsWith(" 2       3\n"));
+  EXPECT_THAT(limits(R"(<limit lower="-1" upper="1" velocity="0" effort="0"/>)"),
+              EndsWith(" none    none\n"));
 }
 
 TEST(RobotFacts, WhatIsOddIsSaid) {
