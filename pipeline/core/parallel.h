@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include <cstddef>
+#include <cstdint>
 
 #include "pipeline/core/sanitizers.h"
 #if HBR_THREAD_SANITIZER
@@ -23,7 +24,15 @@ class LoopOrder {
  public:
 #if HBR_THREAD_SANITIZER
   LoopOrder() { __tsan_release(&begun_); }
-  ~LoopOrder() { __tsan_acquire(&ended_); }
+  ~LoopOrder() {
+    __tsan_acquire(&ended_);
+    // TBB counts a loop's tasks on the calling thread's stack, below this object. Whoever uses those bytes
+    // later comes after the threads that counted there.
+    constexpr std::uintptr_t kFrames = 1 << 14, kWord = 8;  // bytes
+    const std::uintptr_t top = reinterpret_cast<std::uintptr_t>(this) & ~(kWord - 1);
+    for (std::uintptr_t at = top; at > top - kFrames; at -= kWord)
+      __tsan_acquire(reinterpret_cast<void*>(at));
+  }
   struct Body {
     explicit Body(LoopOrder& order) : loop(order) { __tsan_acquire(&loop.begun_); }
     ~Body() { __tsan_release(&loop.ended_); }
@@ -32,9 +41,6 @@ class LoopOrder {
 
  private:
   char begun_ = 0, ended_ = 0;
-  // TBB counts a loop's tasks on the calling thread's stack, below this object. To a function that uses the
-  // same bytes later, what other threads wrote would look like a race: so they lie deeper than it reaches.
-  [[maybe_unused]] char apart_[std::size_t{1} << 18];
 #else
   struct Body {
     explicit Body(LoopOrder&) {}
